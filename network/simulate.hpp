@@ -1,0 +1,31 @@
+/// Runs a network alone and hands out its series at the wanted times.
+#pragma once
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "network/model.hpp"
+
+namespace ostium::network {
+
+enum class Initial { rest, periodic };
+
+struct SimulateOptions {
+  double end = 1.0;     // s
+  double every = 0.01;  // s between outputs; the end is always among them
+  Initial initial = Initial::rest;
+  double period = 0.0;  // s, needed for Initial::periodic
+};
+
+/// `begin(names)` once, then `row(t, values)` at t = 0, every, 2 every, .. end, then nothing. row returns
+/// false to stop early.
+struct Sink {
+  std::function<void(const std::vector<std::string>& names)> begin;
+  std::function<bool(double time, std::span<const double> values)> row;
+};
+
+/// Throws UserError on a bad network, NumericsError where the integrator gives up.
+void simulate(const Model& model, const SimulateOptions& options, const Sink& sink);
+
+}  // namespace ostium::network

@@ -22,10 +22,10 @@ using Notes = std::vector<std::string>;
 
 template <int D>
 struct Opening {
-  std::string name;
-  Vec<D> centre, normal;
+  std::string name = {};
+  Vec<D> centre = Vec<D>::Zero(), normal = Vec<D>::Zero();
   double area = 0;
-  std::vector<Vec<D>> outline;
+  std::vector<Vec<D>> outline = {};
   int face_id = -1;
   double planarity = 0;
   std::string face_name = {};
@@ -33,10 +33,10 @@ struct Opening {
 
 template <int D>
 struct Lumen {
-  Surface<D> surface;
-  std::vector<Opening<D>> openings;
+  Surface<D> surface = {};
+  std::vector<Opening<D>> openings = {};
   double volume = 0, wall_area = 0;
-  Notes repairs;
+  Notes repairs = {};
 };
 
 /// The lumen with every opening moved outward along its normal by `length` (m): straight ducts whose walls

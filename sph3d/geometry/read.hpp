@@ -1,9 +1,11 @@
 /// A vessel surface from a file: read, repaired, checked, its openings found and named.
 ///
-///   formats   STL (ASCII; binary, also when its header begins with "solid"), VTP (polygons; ModelFaceID or CapID)
-///   repairs   coincident corners welded, degenerate and doubled triangles dropped, inward and inconsistent
+///   formats   STL (ASCII; binary, also when its header begins with "solid"), VTP (polygons; ModelFaceID or
+///   CapID) repairs   coincident corners welded, degenerate and doubled triangles dropped, inward and
+///   inconsistent
 ///             normals turned, small leftover shells dropped; each leaves a sentence in Lumen::repairs
-///   refused   unreadable or truncated files, open ends (unless cap_open_ends), non-manifold edges, several shells,
+///   refused   unreadable or truncated files, open ends (unless cap_open_ends), non-manifold edges, several
+///   shells,
 ///             no opening, a choice of opening that matches nothing, two names on one opening
 ///
 ///   length_unit    m per unit of the file
@@ -12,8 +14,8 @@
 ///   label          face id, or name of a face (.facenames beside a VTP, solids of an ASCII STL)
 ///   where          put before the sentence of an error about this choice, such as "case.yaml:7:5: "
 ///
-/// Openings come from the labels of the file where it has any, otherwise from flat regions with a sharp convex
-/// rim. They are sorted by falling area. Not checked: self-intersection.
+/// Openings come from the labels of the file where it has any, otherwise from flat regions with a sharp
+/// convex rim. They are sorted by falling area. Not checked: self-intersection.
 #pragma once
 #include <filesystem>
 #include <optional>

@@ -4,9 +4,10 @@
 ///   normal    -    outward unit normal, smoothed over one spacing
 ///   area      m2   share of the wall (2D: m); the shares add up to Lumen::wall_area
 ///
-/// About wall_area/spacing^(D-1) points, from a low-discrepancy sequence over the cumulated facet area, then relaxed
-/// on the surface by the gradient of the reduced kernel (Zhang, Hu & Adams 2017 for volumes; here in the tangent
-/// plane, without pairs that face each other across the lumen). The same lumen gives the same points.
+/// About wall_area/spacing^(D-1) points, from a low-discrepancy sequence over the cumulated facet area, then
+/// relaxed on the surface by the gradient of the reduced kernel (Zhang, Hu & Adams 2017 for volumes; here in
+/// the tangent plane, without pairs that face each other across the lumen). The same lumen gives the same
+/// points.
 #pragma once
 #include "sph3d/geometry/lumen.hpp"
 

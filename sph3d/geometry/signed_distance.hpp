@@ -8,8 +8,9 @@
 ///   facet    -   the facet c lies on; -1 when nothing lies within `bound`
 ///
 /// N is the normal of the facet, the mean over the two facets of an edge, or the angle-weighted mean over the
-/// facets of a corner, which gives the right sign everywhere (Baerentzen & Aanaes 2005). Queries are thread-safe.
-/// Not checked: that the surface is closed and does not cut itself; the sign means nothing otherwise.
+/// facets of a corner, which gives the right sign everywhere (Baerentzen & Aanaes 2005). Queries are
+/// thread-safe. Not checked: that the surface is closed and does not cut itself; the sign means nothing
+/// otherwise.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -44,7 +45,6 @@ class SignedDistance {
 
   void build(std::vector<int>& order, const std::vector<Bounds<D>>& boxes);
   int split(std::vector<int>& order, const std::vector<Bounds<D>>& boxes, int begin, int end);
-  void pseudo_normals(const Surface<D>& surface, const std::vector<int>& order);
 
   Vec<D> origin_;
   std::vector<Node> nodes_;

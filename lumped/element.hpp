@@ -1,0 +1,142 @@
+/// The contract of a block: what its struct must have, and the wrapper that makes a Block of it.
+///
+///   struct Resistor : TwoTerminal {                    // its fields are its parameters
+///     double R = 0;
+///     static constexpr auto type = "resistor";
+///     static constexpr std::array unknowns{Unknown{"q", Quantity::flow}};
+///     static constexpr Nature nature = Nature::resistive;
+///     template <class T> void equations(const In<Resistor, T>& x, Out<Resistor, T>& f) const;   // the
+///     physics, once std::vector<Terminal> terminals() const;          // throws UserError where from/to make
+///     no sense
+///   };
+///   void declare(config::Fields<Resistor>&);            // names, units, ranges, documentation of the fields
+///
+/// Optional members, used where present: `branches()` (default: one branch of `nature` from terminal 0 to 1),
+/// `initial(y)` (default 0), `compliance()`, `kinks(t0, t1)`, `prescribed_flow(t)`, `needs_opening()`,
+/// `at_opening(area)`, `static constexpr bool linear = false` for a block whose coefficients change. A block
+/// ties its own unknowns by as many equations; an algebraic unknown's derivative must not appear in them.
+#pragma once
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "core/error.hpp"
+#include "lumped/block.hpp"
+#include "lumped/dual.hpp"
+
+namespace ostium::lumped {
+
+/// What the equations of block B read. Ports: From, To.
+template <class B, class T>
+struct In {
+  double t = 0;
+  std::array<T, B::ports> p{};
+  std::array<T, B::unknowns.size()> y{}, dy{};
+};
+
+/// What the equations of block B give: own residuals, and the flow from each port's node into the block.
+template <class B, class T>
+struct Out {
+  std::array<T, B::unknowns.size()> own{};
+  std::array<T, B::ports> into{};
+};
+
+template <class B>
+class BlockOf final : public Block {
+ public:
+  explicit BlockOf(B parameters) : b_(std::move(parameters)), terminals_(b_.terminals()) {}
+
+  const char* type() const override { return B::type; }
+  const std::vector<Terminal>& terminals() const override { return terminals_; }
+  std::span<const Unknown> unknowns() const override { return B::unknowns; }
+
+  std::vector<Branch> branches() const override {
+    if constexpr (requires { b_.branches(); })
+      return b_.branches();
+    else
+      return {{0, 1, B::nature}};
+  }
+
+  void residual(double t, const double* x, double* f) const override {
+    const auto out = evaluate<double>(t, [x](int k) { return x[k]; });
+    for (int i = 0; i < own; ++i) f[i] = out.own[i];
+    for (int k = 0; k < B::ports; ++k) f[own + k] = out.into[k];
+  }
+
+  void jacobian(double t, const double* x, double* jacobian) const override {
+    using D = Dual<inputs>;
+    const auto out = evaluate<D>(t, [x](int k) { return D::variable(x[k], k); });
+    for (int i = 0; i < own; ++i) write(out.own[i], jacobian + i * inputs);
+    for (int k = 0; k < B::ports; ++k) write(out.into[k], jacobian + (own + k) * inputs);
+  }
+
+  void initial(double* y) const override {
+    for (int i = 0; i < own; ++i) y[i] = 0;
+    if constexpr (requires { b_.initial(y); }) b_.initial(y);
+  }
+
+  bool linear() const override {
+    if constexpr (requires { B::linear; })
+      return B::linear;
+    else
+      return true;
+  }
+  double compliance() const override {
+    if constexpr (requires { b_.compliance(); })
+      return b_.compliance();
+    else
+      return 0;
+  }
+  std::vector<double> kinks(double t0, double t1) const override {
+    if constexpr (requires { b_.kinks(t0, t1); })
+      return b_.kinks(t0, t1);
+    else
+      return {};
+  }
+  double prescribed_flow(double t) const override {
+    if constexpr (requires { b_.prescribed_flow(t); })
+      return b_.prescribed_flow(t);
+    else
+      return 0;
+  }
+  bool needs_opening() const override {
+    if constexpr (requires { b_.needs_opening(); })
+      return b_.needs_opening();
+    else
+      return false;
+  }
+  std::shared_ptr<const Block> at_opening(double area) const override {
+    if constexpr (requires { b_.at_opening(area); })
+      return std::make_shared<BlockOf>(b_.at_opening(area));
+    else
+      return std::make_shared<BlockOf>(b_);
+  }
+
+  const B& parameters() const { return b_; }
+
+ private:
+  static constexpr int own = static_cast<int>(B::unknowns.size());
+  static constexpr int inputs = B::ports + 2 * own;
+
+  template <class T, class Read>
+  Out<B, T> evaluate(double t, Read read) const {
+    In<B, T> in;
+    in.t = t;
+    for (int k = 0; k < B::ports; ++k) in.p[k] = read(k);
+    for (int i = 0; i < own; ++i) in.y[i] = read(B::ports + i);
+    for (int i = 0; i < own; ++i) in.dy[i] = read(B::ports + own + i);
+    Out<B, T> out;
+    b_.equations(in, out);
+    return out;
+  }
+
+  template <class D>
+  static void write(const D& value, double* row) {
+    for (int k = 0; k < inputs; ++k) row[k] = value.d[k];
+  }
+
+  B b_;
+  std::vector<Terminal> terminals_;
+};
+
+}  // namespace ostium::lumped

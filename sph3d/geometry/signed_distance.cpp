@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 #include "core/error.hpp"
@@ -11,7 +12,7 @@
 namespace ostium::sph3d {
 namespace {
 
-constexpr int leaf_size = 2, bins = 16;
+constexpr int leaf_size = 4, bins = 16;
 
 template <int D>
 double half_area(const Bounds<D>& b) {
@@ -77,7 +78,7 @@ int best_cut(const std::array<Bin<D>, bins>& bin) {
 /// axis).
 template <int D>
 int SignedDistance<D>::split(std::vector<int>& order, const std::vector<Bounds<D>>& boxes, int begin,
-                             int end) {
+                             int end) const {
   const auto middle = [&](int f) { return Vec<D>(0.5 * (boxes[f].lower + boxes[f].upper)); };
   auto centres = nothing<D>();
   for (int i = begin; i < end; ++i) include(centres, {middle(order[i]), middle(order[i])});
@@ -103,35 +104,40 @@ int SignedDistance<D>::split(std::vector<int>& order, const std::vector<Bounds<D
 }
 
 template <int D>
+void SignedDistance<D>::set_child(Node& node, int child, const Bounds<D>& box) const {
+  constexpr float inf = std::numeric_limits<float>::infinity();
+  for (int d = 0; d < D; ++d) {
+    node.lower[d][child] = std::nextafter(float(box.lower[d]), -inf);
+    node.upper[d][child] = std::nextafter(float(box.upper[d]), inf);
+  }
+}
+
+template <int D>
 void SignedDistance<D>::build(std::vector<int>& order, const std::vector<Bounds<D>>& boxes) {
   struct Range {
     int node, begin, end, depth;
   };
-  constexpr int deep = 60;  // beyond it halve by number, so that a query's stack of 128 suffices
-  constexpr float inf = std::numeric_limits<float>::infinity();
+  constexpr int deep = 40;  // beyond it halve by number, so that the stack of a query suffices
   std::vector<Range> open{{0, 0, int(order.size()), 0}};
   nodes_.emplace_back();
   while (!open.empty()) {
     const auto [node, begin, end, depth] = open.back();
     open.pop_back();
-    const int middle = end - begin < 2 ? end
-                       : depth > deep  ? (begin + end) / 2
-                                       : split(order, boxes, begin, end);
-    const int from[2] = {begin, middle}, to[2] = {middle, end};
-    for (int side = 0; side < 2; ++side) {
-      const auto box = enclose(order, boxes, from[side], to[side]);
-      for (int d = 0; d < D; ++d) {
-        nodes_[node].lower[side][d] = std::nextafter(float(box.lower[d]), -inf);
-        nodes_[node].upper[side][d] = std::nextafter(float(box.upper[d]), inf);
-      }
-      const int count = to[side] - from[side];
-      if (count <= leaf_size) {
-        nodes_[node].first[side] = from[side], nodes_[node].count[side] = count;
-      } else {
-        nodes_[node].first[side] = int(nodes_.size()), nodes_[node].count[side] = 0;
-        open.push_back({int(nodes_.size()), from[side], to[side], depth + 1});
-        nodes_.emplace_back();
-      }
+    const auto cut = [&](int from, int to) {
+      return to - from < 2 || depth > deep ? (from + to) / 2 : split(order, boxes, from, to);
+    };
+    const int middle = cut(begin, end);
+    const int edge[5] = {begin, cut(begin, middle), middle, cut(middle, end), end};
+    for (int child = 0; child < 4; ++child) {
+      const int count = edge[child + 1] - edge[child];
+      // An empty child has an inverted, infinite box: no query ever enters it.
+      set_child(nodes_[node], child, enclose(order, boxes, edge[child], edge[child + 1]));
+      const bool leaf = count <= leaf_size;
+      nodes_[node].first[child] = leaf ? edge[child] : int(nodes_.size());
+      nodes_[node].count[child] = leaf ? std::max(count, 1) : 0;
+      if (leaf) continue;
+      open.push_back({int(nodes_.size()), edge[child], edge[child + 1], depth + 1});
+      nodes_.emplace_back();
     }
   }
 }
@@ -161,16 +167,46 @@ SignedDistance<D>::SignedDistance(const Surface<D>& surface) {
 
 namespace {
 
-/// Squared distance to a box, a little less so that rounding never hides a facet.
-template <int D>
-float box_distance2(const float (&lower)[D], const float (&upper)[D], const float (&x)[D]) {
-  float sum = 0;
+using Float4 = float __attribute__((vector_size(16)));
+
+/// Squared distances to the four boxes of a node, a little less so that rounding never hides a facet.
+template <int D, class Node>
+Float4 box_distances2(const Node& node, const float (&x)[D]) {
+  Float4 sum{};
   for (int d = 0; d < D; ++d) {
-    const float gap = std::max({lower[d] - x[d], x[d] - upper[d], 0.0f}) - 2e-7f * std::abs(x[d]);
-    sum += gap > 0 ? gap * gap : 0;
+    Float4 lower, upper;
+    std::memcpy(&lower, node.lower[d], sizeof lower);
+    std::memcpy(&upper, node.upper[d], sizeof upper);
+    const Float4 below = lower - x[d], above = x[d] - upper, slack = Float4{} + 2e-7f * std::abs(x[d]);
+    const Float4 beyond = (below > above ? below : above) - slack;
+    const Float4 gap = beyond > 0.0f ? beyond : Float4{};
+    sum += gap * gap;
   }
   return sum * (1 - 1e-6f);
 }
+
+/// What a query has still to look at: a node, or the facets of a leaf.
+struct Entry {
+  float distance2;
+  int first, count;
+};
+
+/// A stack whose last pushes are kept in order, the nearest on top.
+class Pending {
+ public:
+  bool empty() const { return size_ == 0; }
+  Entry pop() { return entries_[--size_]; }
+  void mark() { mark_ = size_; }
+  void push(Entry entry) {
+    int at = size_++;
+    for (; at > mark_ && entries_[at - 1].distance2 < entry.distance2; --at) entries_[at] = entries_[at - 1];
+    entries_[at] = entry;
+  }
+
+ private:
+  Entry entries_[256];
+  int size_ = 0, mark_ = 0;
+};
 
 }  // namespace
 
@@ -182,31 +218,22 @@ auto SignedDistance<D>::operator()(const Vec<D>& point, double bound) const -> H
   double least = bound * bound;
   int nearest = -1;
   FacetPoint<D> closest{x, 0};
-  struct Entry {
-    int node;
-    float distance2;
-  };
-  std::array<Entry, 128> stack;
-  int top = 0;
-  stack[top++] = {0, 0};
-  while (top > 0) {
-    const Entry entry = stack[--top];
-    if (entry.distance2 > least) continue;
-    const Node& node = nodes_[entry.node];
-    const float gap[2] = {box_distance2<D>(node.lower[0], node.upper[0], xf),
-                          box_distance2<D>(node.lower[1], node.upper[1], xf)};
-    const int near = gap[1] < gap[0] ? 1 : 0;
-    for (const int side : {near, 1 - near}) {
-      if (node.count[side] == 0 || gap[side] > least) continue;
-      for (int i = node.first[side]; i < node.first[side] + node.count[side]; ++i) {
-        const auto candidate = closest_on_facet(corners_[i], x);
-        const double distance2 = (x - candidate.point).squaredNorm();
-        if (distance2 < least || (nearest < 0 && distance2 <= least))
-          least = distance2, nearest = i, closest = candidate;
-      }
+  Pending pending;
+  pending.push({0, 0, 0});
+  while (!pending.empty()) {
+    const Entry entry = pending.pop();
+    if (entry.distance2 >= least) continue;
+    for (int i = entry.first; i < entry.first + entry.count; ++i) {
+      const auto candidate = closest_on_facet(corners_[i], x);
+      const double distance2 = (x - candidate.point).squaredNorm();
+      if (distance2 < least) least = distance2, nearest = i, closest = candidate;
     }
-    for (const int side : {1 - near, near})
-      if (node.count[side] == 0 && gap[side] <= least) stack[top++] = {node.first[side], gap[side]};
+    if (entry.count > 0) continue;
+    const Node& node = nodes_[entry.first];
+    const auto gap2 = box_distances2<D>(node, xf);
+    pending.mark();
+    for (int k = 0; k < 4; ++k)
+      if (gap2[k] < least) pending.push({gap2[k], node.first[k], node.count[k]});
   }
   if (nearest < 0) return {std::numeric_limits<double>::infinity(), point, Vec<D>::Zero(), -1};
   const Vec<D>& pseudo = normals_[nearest][closest.feature];

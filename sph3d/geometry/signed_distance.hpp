@@ -35,16 +35,17 @@ class SignedDistance {
   Hit operator()(const Vec<D>& x, double bound = std::numeric_limits<double>::infinity()) const;
 
  private:
-  /// Both children of an inner node: boxes in single precision, rounded outward, relative to origin_.
+  /// Four children at a time: boxes in single precision, rounded outward, relative to origin_.
   struct Node {
-    float lower[2][D], upper[2][D];
-    std::int32_t first[2];  ///< facet range of a leaf, or index of the child node
-    std::int32_t count[2];  ///< 0: inner child
+    float lower[D][4], upper[D][4];
+    std::int32_t first[4];  ///< where the facets of a leaf begin, or the child node
+    std::int32_t count[4];  ///< facets of a leaf; 0: a child node
   };
   using Corners = std::array<Vec<D>, D>;
 
   void build(std::vector<int>& order, const std::vector<Bounds<D>>& boxes);
-  int split(std::vector<int>& order, const std::vector<Bounds<D>>& boxes, int begin, int end);
+  int split(std::vector<int>& order, const std::vector<Bounds<D>>& boxes, int begin, int end) const;
+  void set_child(Node& node, int child, const Bounds<D>& box) const;
 
   Vec<D> origin_;
   std::vector<Node> nodes_;

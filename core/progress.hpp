@@ -4,6 +4,7 @@
 #pragma once
 #include <chrono>
 #include <cstdio>
+#include <limits>
 #include <string>
 
 namespace ostium {

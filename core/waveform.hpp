@@ -14,6 +14,7 @@
 /// goes on interpolating, and two samples one period apart are one point (the first counts). Not checked:
 /// that a table resolves its signal.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ class Waveform {
   static Waveform table(
       Table samples);  // throws UserError: fewer than two rows, times not increasing, not finite
   static Waveform fourier(Fourier series);  // throws UserError: no period, not finite
+  /// Throws UserError when the times do not increase or a sample is not finite; `row` names the i-th sample
+  /// (from 0).
+  static void check(const Table& samples, const std::function<std::string(std::size_t)>& row);
   /// The first `modes` harmonics of a periodic piecewise linear table, by exact integrals.
   static Waveform fourier_of(const Table& samples, int modes);
 
@@ -60,6 +64,8 @@ class Waveform {
 
   /// factor * w(t), for example a flow from a mean velocity and an area.
   Waveform scaled(double factor) const;
+  /// w(t - delay)
+  Waveform delayed(double delay) const;
 
   const std::vector<double>& times() const { return times_; }
   const std::vector<double>& values() const { return values_; }
@@ -68,19 +74,20 @@ class Waveform {
   bool operator==(const Waveform&) const = default;
 
  private:
-  struct Place;
-  Place locate(double t) const;
+  double fold(double t, double& periods) const;
+  std::size_t segment(double u) const;
+  double from_left(std::size_t i, double s, int derivative) const;
   double antiderivative(double t) const;
   void find_slopes();
-  void find_table_integrals();
-  void close_period();
+  void find_integrals();
   void find_extremes();
 
   Form form_ = Form::constant;
   Interpolation interpolation_ = Interpolation::linear;
   double period_ = 0, mean_ = 0, min_ = 0, max_ = 0;
-  std::vector<double> times_, values_;            // as given
-  std::vector<double> t_, w_, slope_, integral_;  // knots, closed over the period
+  std::vector<double> times_, values_;  // as given
+  std::vector<double> t_, w_, slope_,
+      integral_;  // knots, closed over the period; integral from the first knot
   std::vector<double> cos_, sin_;
 };
 

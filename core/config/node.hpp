@@ -41,6 +41,9 @@ class Node {
   std::optional<Node> find(const std::string& key) const;  // in a mapping; throws UserError if it is none
   Node at(const std::string& key) const;                   // throws UserError when missing
 
+  /// The same place holding another scalar.
+  Node with_text(const std::string& text) const;
+
   /// Throws UserError "case.yaml:12:5: network.blocks.dao.Rp: <sentence>".
   template <class... Args>
   [[noreturn]] void error(fmt::format_string<Args...> sentence, Args&&... args) const {

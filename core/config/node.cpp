@@ -1,0 +1,128 @@
+#include "core/config/node.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "core/did_you_mean.hpp"
+
+namespace ostium::config {
+namespace {
+
+std::string content_of(const std::filesystem::path& file) {
+  if (std::filesystem::is_directory(file))
+    user_error("{}: this is a folder; give the case file in it", file.string());
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) user_error("{}: this file does not exist or cannot be read", file.string());
+  std::ostringstream content;
+  content << stream.rdbuf();
+  return content.str();
+}
+
+}  // namespace
+
+Node Node::load(const std::filesystem::path& file) { return parse(content_of(file), file.string()); }
+
+Node Node::parse(const std::string& text, const std::string& file_name) {
+  Node node;
+  node.tree_ = parse_yaml(text, file_name);
+  node.file_ = file_name;
+  if (node.tree_->line > 0) node.line_ = node.tree_->line, node.column_ = node.tree_->column;
+  return node;
+}
+
+const Tree& Node::tree() const {
+  static const Tree nothing;
+  return tree_ ? *tree_ : nothing;
+}
+
+std::string Node::where() const { return fmt::format("{}:{}:{}", file_, line_, column_); }
+
+std::string Node::key() const {
+  const auto dot = path_.rfind('.');
+  return dot == std::string::npos ? path_ : path_.substr(dot + 1);
+}
+
+std::filesystem::path Node::folder() const { return std::filesystem::path(file_).parent_path(); }
+
+const std::string& Node::text() const {
+  if (!is_scalar()) error("expected a single value, found {}", describe());
+  return tree_->text;
+}
+
+Node Node::child(const std::string& step, TreePtr tree, int line, int column) const {
+  Node node;
+  node.tree_ = std::move(tree);
+  node.file_ = file_;
+  node.path_ = path_.empty() ? step : path_ + "." + step;
+  node.line_ = line, node.column_ = column;
+  return node;
+}
+
+Node Node::with_text(const std::string& text) const {
+  Node node = *this;
+  node.tree_ = std::make_shared<Tree>(Tree::scalar(text));
+  return node;
+}
+
+std::vector<Node> Node::items() const {
+  if (!is_list()) error("expected a list like [a, b], found {}", describe());
+  std::vector<Node> all;
+  for (const auto& item : tree_->items)
+    all.push_back(child(std::to_string(all.size() + 1), item, item->line, item->column));
+  return all;
+}
+
+std::vector<std::pair<std::string, Node>> Node::entries() const {
+  if (!is_map()) error("expected a mapping like {{name: value}}, found {}", describe());
+  std::vector<std::pair<std::string, Node>> all;
+  for (const auto& e : tree_->entries) all.emplace_back(e.key, child(e.key, e.value, e.line, e.column));
+  return all;
+}
+
+std::vector<std::string> Node::keys() const {
+  std::vector<std::string> names;
+  for (const auto& entry : entries()) names.push_back(entry.first);
+  return names;
+}
+
+std::optional<Node> Node::find(const std::string& key) const {
+  if (!is_map()) error("expected a mapping like {{name: value}}, found {}", describe());
+  for (const auto& e : tree_->entries)
+    if (e.key == key) return child(e.key, e.value, e.line, e.column);
+  return {};
+}
+
+Node Node::at(const std::string& key) const {
+  auto node = find(key);
+  if (!node) error("the key \"{}\" is missing", key);
+  return *node;
+}
+
+std::string Node::message(const std::string& sentence) const {
+  const std::string place = file_.empty() ? "" : where() + ": ";
+  return place + (path_.empty() ? "" : path_ + ": ") + sentence;
+}
+
+void Node::check_keys(const std::vector<std::string>& allowed) const {
+  for (const auto& [key, node] : entries())
+    if (std::find(allowed.begin(), allowed.end(), key) == allowed.end())
+      node.error("unknown key \"{}\"{}", key, did_you_mean(key, allowed));
+}
+
+std::string Node::describe() const {
+  switch (kind()) {
+    case Tree::Kind::null:
+      return "nothing";
+    case Tree::Kind::list:
+      return "a list";
+    case Tree::Kind::map:
+      return "a mapping";
+    case Tree::Kind::scalar:
+      break;
+  }
+  const std::string& s = tree_->text;
+  return fmt::format("the value \"{}\"", s.size() > 60 ? s.substr(0, 60) + "..." : s);
+}
+
+}  // namespace ostium::config

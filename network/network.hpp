@@ -6,10 +6,10 @@
 ///   P_k   Pa       pressure of port k
 ///   R_kl  Pa.s/m3  dP_k/dQ_l
 ///
-/// Integrated by SUNDIALS IDA with a sparse direct solver and the exact Jacobian of the blocks; kinks of the
-/// sources are exact stop times. Source: Hindmarsh et al., ACM TOMS 31 (2005) 363; port linearisation:
-/// docs/theory, coupling. Not checked: that the caller's time steps resolve its own flow; a network leaves
-/// the value at its port flows' linear interpolation.
+/// Integrated by SUNDIALS IDA with a sparse direct solver and the exact Jacobian of the blocks, small linear
+/// networks by the matrix exponential; kinks of the sources are exact stop times.
+/// Source: Hindmarsh et al., ACM TOMS 31 (2005) 363; port linearisation: docs/theory, coupling.
+/// Not checked: that the exchanges resolve the port flows, which go linearly from one to the next.
 #pragma once
 #include <Eigen/Core>
 #include <complex>
@@ -19,35 +19,31 @@
 #include <vector>
 
 #include "network/model.hpp"
+#include "network/port.hpp"
 
 namespace ostium::network {
 
-/// An opening of the vessel; the network's node of the same name is coupled to it.
-struct Port {
-  std::string opening;
-  double area = 0;  // m2
-};
-
-/// `flow`: a single flow source stands at the node, the network prescribes the flow. `pressure`: anything
-/// else.
-enum class PortKind { pressure, flow };
-
 /// State of a network, plain data: a copy is a copy, a restart is exact.
 struct State {
-  double time = 0;  // s
-  std::vector<double> y,
-      dy;  // unknowns and their time derivatives, SI, in the order of the network's unknowns
+  double time = 0;                // s
+  std::vector<double> y, dy;      // unknowns and their rates, SI, in the order of the series
   std::vector<double> port_flow;  // last flow of each port, m3/s
 };
 
-class System;
-class Integrator;
+/// `exact`: matrix exponential, for linear networks; `ida`: BDF of variable order; `automatic`: exact where
+/// the network is linear and has at most some dozens of states, else ida.
+enum class Method { automatic, exact, ida };
+
+struct NetworkOptions {
+  Method method = Method::automatic;
+  double relative_tolerance = 1e-8;  // of ida, with absolute ones of the same fraction of 100 mmHg, 100 mL/s
+};
 
 class Network {
  public:
   /// Joins the blocks and checks the graph (UserError). No ports: a standalone study. Starts at rest: see
   /// `load`.
-  explicit Network(Model model, std::vector<Port> ports = {});
+  explicit Network(Model model, std::vector<Port> ports = {}, NetworkOptions options = {});
   Network(Network&&) noexcept;
   Network& operator=(Network&&) noexcept;
   ~Network();
@@ -67,8 +63,8 @@ class Network {
   double pressure_slope(int port) const;
   /// m3/s, what a flow port sends into the vessel at time t.
   double flow_into_vessel(int port, double t) const;
-  /// s, the next kink of a source after t (infinity if none): a good time to end an exchange at.
-  double next_kink(double t) const;
+  /// s, kinks of the sources in (t0, t1), increasing: good times to end an exchange at.
+  std::vector<double> kinks(double t0, double t1) const;
 
   /// R_kl = dP_k(t + dt)/dQ_l for a flow held over dt, exact for the network linearised about its present
   /// state (RCR: Rp + Rd (1 - exp(-dt/(Rd C)))). Rows and columns of flow ports are zero. Cached per dt for
@@ -91,10 +87,9 @@ class Network {
   void load(const State& state);
 
  private:
-  std::unique_ptr<System> system_;
-  std::unique_ptr<Integrator> integrator_;
-  struct Cache;
-  std::unique_ptr<Cache> cache_;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+  State state_;
 };
 
 }  // namespace ostium::network

@@ -1,0 +1,90 @@
+#include "network/consistent.hpp"
+
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace ostium::network {
+
+Consistent::Consistent(const System& system)
+    : system_(system),
+      matrix_(system.pattern()),
+      d_y_(matrix_.nonZeros()),
+      d_dy_(matrix_.nonZeros()),
+      row_scale_(system.size()),
+      residual_(system.size()) {
+  lu_.analyzePattern(matrix_);
+}
+
+void Consistent::factorise(double t, const double* y, const double* dy) {
+  if (factorised_ && system_.linear()) return;
+  system_.jacobian(t, y, dy, d_y_.data(), d_dy_.data());
+  row_scale_.setZero();
+  const int *start = matrix_.outerIndexPtr(), *row = matrix_.innerIndexPtr();
+  for (int j = 0; j < system_.size(); ++j)
+    for (int k = start[j]; k < start[j + 1]; ++k) {
+      const double value = (system_.differential(j) ? d_dy_[k] : d_y_[k]) * system_.scale()[j];
+      matrix_.valuePtr()[k] = value;
+      row_scale_[row[k]] = std::max(row_scale_[row[k]], std::abs(value));
+    }
+  row_scale_ = row_scale_.unaryExpr([](double r) { return r > 0 ? r : 1.0; });
+  for (int k = 0; k < matrix_.nonZeros(); ++k) matrix_.valuePtr()[k] /= row_scale_[row[k]];
+  lu_.factorize(matrix_);
+  if (lu_.info() != Eigen::Success)
+    numerics_error("the network's algebraic equations cannot be solved at t = {} s: {}", t,
+                   lu_.lastErrorMessage());
+  factorised_ = true;
+}
+
+Eigen::VectorXd Consistent::solved(const Eigen::VectorXd& residual) const {
+  const Eigen::VectorXd scaled = residual.cwiseQuotient(row_scale_);
+  return lu_.solve(scaled);
+}
+
+/// One Newton correction; returns its size in the unknowns' scales.
+double Consistent::correct(double t, std::span<const double> port_flow, double* y, double* dy) {
+  factorise(t, y, dy);
+  system_.residual(t, y, dy, port_flow, residual_.data());
+  const Eigen::VectorXd step = solved(residual_);
+  for (int j = 0; j < system_.size(); ++j)
+    (system_.differential(j) ? dy : y)[j] -= step[j] * system_.scale()[j];
+  return step.lpNorm<Eigen::Infinity>();
+}
+
+void Consistent::solve(double t, std::span<const double> port_flow, double* y, double* dy) {
+  for (int j = 0; j < system_.size(); ++j)
+    if (!system_.differential(j)) dy[j] = 0;
+  constexpr int most = 50;
+  constexpr double small = 1e-12;
+  double last = INFINITY;
+  for (int i = 0; i < most; ++i) {
+    const double size = correct(t, port_flow, y, dy);
+    if (!std::isfinite(size)) break;
+    // Rates of stiff states are large against their scale: round-off then stops the decrease above `small`.
+    if (size < small || (size > 0.5 * last && size < 1e-6)) return;
+    last = size;
+  }
+  numerics_error(
+      "the network finds no consistent pressures and flows at t = {} s (last correction {:.3g} of their "
+      "scale)",
+      t, last);
+}
+
+Eigen::VectorXd Consistent::rates(double t, std::span<const double> port_flow, const double* y,
+                                  const double* dy) {
+  factorise(t, y, dy);
+  system_.jacobian(t, y, dy, d_y_.data(), d_dy_.data());
+  constexpr double step = 1e-6;  // s: sources are smooth between kinks
+  Eigen::VectorXd now(system_.size()), then(system_.size());
+  system_.residual(t, y, dy, port_flow, now.data());
+  system_.residual(t + step, y, dy, port_flow, then.data());
+  Eigen::VectorXd f = (then - now) / step;
+  const int *start = matrix_.outerIndexPtr(), *row = matrix_.innerIndexPtr();
+  for (int j : system_.differential_unknowns())
+    for (int k = start[j]; k < start[j + 1]; ++k) f[row[k]] += d_y_[k] * dy[j];
+  Eigen::VectorXd rate = -solved(f).cwiseProduct(system_.scale());
+  for (int j : system_.differential_unknowns()) rate[j] = dy[j];
+  return rate;
+}
+
+}  // namespace ostium::network

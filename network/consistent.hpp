@@ -1,0 +1,42 @@
+/// Consistent values: the algebraic unknowns and the rates that belong to given states.
+///
+///   given x (differential unknowns), t, Q:   find (dx/dt, z) with F(t, x, z, dx/dt; Q) = 0
+///   M = [dF/d(dx/dt) | dF/dz],   regular exactly where the equations are of index 1
+///
+/// Newton's iteration with a sparse LU of M, scaled by rows and columns; one factorisation for a linear
+/// network. Throws NumericsError where it does not converge. Source: Brown, Hindmarsh & Petzold, SIAM J. Sci.
+/// Comput. 19 (1998) 1495. Not checked: index (StateSpace does).
+#pragma once
+#include <Eigen/SparseLU>
+#include <span>
+#include <vector>
+
+#include "network/system.hpp"
+
+namespace ostium::network {
+
+class Consistent {
+ public:
+  explicit Consistent(const System& system);
+
+  /// y: states in, all unknowns out. dy: rates of the states out, 0 for algebraic unknowns.
+  void solve(double t, std::span<const double> port_flow, double* y, double* dy);
+
+  /// Derivatives of y for port flows held, at consistent (y, dy): rates of the states and of the algebraic
+  /// unknowns.
+  Eigen::VectorXd rates(double t, std::span<const double> port_flow, const double* y, const double* dy);
+
+ private:
+  void factorise(double t, const double* y, const double* dy);
+  Eigen::VectorXd solved(const Eigen::VectorXd& residual) const;
+  double correct(double t, std::span<const double> port_flow, double* y, double* dy);
+
+  const System& system_;
+  Eigen::SparseMatrix<double> matrix_;
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu_;
+  std::vector<double> d_y_, d_dy_;
+  Eigen::VectorXd row_scale_, residual_;
+  bool factorised_ = false;
+};
+
+}  // namespace ostium::network

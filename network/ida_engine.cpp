@@ -1,0 +1,131 @@
+#include <idas/idas.h>
+#include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_klu.h>
+#include <sunmatrix/sunmatrix_sparse.h>
+
+#include <algorithm>
+#include <string>
+
+#include "core/error.hpp"
+#include "network/engine.hpp"
+
+namespace ostium::network {
+
+namespace {
+
+class IdaEngine final : public Engine {
+ public:
+  IdaEngine(const System& system, double relative_tolerance)
+      : system_(system), d_y_(system.pattern().nonZeros()), d_dy_(system.pattern().nonZeros()) {
+    check(SUNContext_Create(nullptr, &context_), "SUNContext_Create");
+    y_ = N_VNew_Serial(system.size(), context_);
+    dy_ = N_VNew_Serial(system.size(), context_);
+    kinds_ = N_VNew_Serial(system.size(), context_);
+    tolerance_ = N_VNew_Serial(system.size(), context_);
+    for (int i = 0; i < system.size(); ++i) {
+      data(kinds_)[i] = system.differential(i) ? 1 : 0;
+      data(tolerance_)[i] = relative_tolerance * system.scale()[i];
+    }
+    open(relative_tolerance);
+  }
+  IdaEngine(const IdaEngine&) = delete;
+  IdaEngine& operator=(const IdaEngine&) = delete;
+  ~IdaEngine() override {
+    IDAFree(&ida_);
+    SUNLinSolFree(solver_);
+    SUNMatDestroy(matrix_);
+    for (N_Vector v : {y_, dy_, kinds_, tolerance_}) N_VDestroy(v);
+    SUNContext_Free(&context_);
+  }
+
+  void advance(double a, double b, const Flows& flows, double* y, double* dy) override {
+    flows_ = &flows;
+    const int n = system_.size();
+    std::copy(y, y + n, data(y_));
+    std::copy(dy, dy + n, data(dy_));
+    check(IDAReInit(ida_, a, y_, dy_), "IDAReInit");
+    check(IDASetStopTime(ida_, b), "IDASetStopTime");
+    double reached = a;
+    const int flag = IDASolve(ida_, b, &reached, y_, dy_, IDA_NORMAL);
+    if (flag < 0) give_up(flag, reached);
+    std::copy(data(y_), data(y_) + n, y);
+  }
+
+ private:
+  static double* data(N_Vector v) { return N_VGetArrayPointer(v); }
+
+  void open(double relative_tolerance) {
+    ida_ = IDACreate(context_);
+    check(IDAInit(ida_, residual, 0.0, y_, dy_), "IDAInit");
+    check(IDASVtolerances(ida_, relative_tolerance, tolerance_), "IDASVtolerances");
+    check(IDASetId(ida_, kinds_), "IDASetId");
+    check(IDASetSuppressAlg(ida_, SUNTRUE), "IDASetSuppressAlg");
+    check(IDASetUserData(ida_, this), "IDASetUserData");
+    check(IDASetMaxNumSteps(ida_, 200000), "IDASetMaxNumSteps");
+    check(IDASetErrFile(ida_, nullptr), "IDASetErrFile");
+    matrix_ =
+        SUNSparseMatrix(system_.size(), system_.size(), system_.pattern().nonZeros(), CSC_MAT, context_);
+    solver_ = SUNLinSol_KLU(y_, matrix_, context_);
+    check(IDASetLinearSolver(ida_, solver_, matrix_), "IDASetLinearSolver");
+    check(IDASetJacFn(ida_, jacobian), "IDASetJacFn");
+  }
+
+  static int residual(double t, N_Vector y, N_Vector dy, N_Vector f, void* user) {
+    auto& self = *static_cast<IdaEngine*>(user);
+    self.system_.residual(t, data(y), data(dy), self.flows_->at(t), data(f));
+    return 0;
+  }
+
+  static int jacobian(double t, double cj, N_Vector y, N_Vector dy, N_Vector, SUNMatrix J, void* user,
+                      N_Vector, N_Vector, N_Vector) {
+    auto& self = *static_cast<IdaEngine*>(user);
+    self.system_.jacobian(t, data(y), data(dy), self.d_y_.data(), self.d_dy_.data());
+    const auto& pattern = self.system_.pattern();
+    std::copy_n(pattern.outerIndexPtr(), pattern.cols() + 1, SM_INDEXPTRS_S(J));
+    std::copy_n(pattern.innerIndexPtr(), pattern.nonZeros(), SM_INDEXVALS_S(J));
+    for (int k = 0; k < pattern.nonZeros(); ++k) SM_DATA_S(J)[k] = self.d_y_[k] + cj * self.d_dy_[k];
+    return 0;
+  }
+
+  static void check(int flag, const char* call) { OSTIUM_ASSERT(flag >= 0, "{} returned {}", call, flag); }
+
+  [[noreturn]] void give_up(int flag, double reached) const {
+    long steps = 0;
+    double step = 0;
+    IDAGetNumSteps(ida_, &steps);
+    IDAGetLastStep(ida_, &step);
+    char* reason = IDAGetReturnFlagName(flag);
+    const std::string name = reason;
+    free(reason);
+    numerics_error(
+        "the network stopped at t = {:.9g} s after {} steps, the last one of {:.3g} s ({}); {} holds the "
+        "worst "
+        "residual: look at the blocks there for parameters that are off by orders of magnitude",
+        reached, steps, step, name, worst(reached));
+  }
+
+  std::string worst(double t) const {
+    std::vector<double> f(system_.size());
+    system_.residual(t, data(y_), data(dy_), flows_->at(t), f.data());
+    const auto at =
+        std::max_element(f.begin(), f.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    return system_.names()[at - f.begin()];
+  }
+
+  const System& system_;
+  const Flows* flows_ = nullptr;
+  std::vector<double> d_y_, d_dy_;
+  SUNContext context_ = nullptr;
+  N_Vector y_ = nullptr, dy_ = nullptr, kinds_ = nullptr, tolerance_ = nullptr;
+  SUNMatrix matrix_ = nullptr;
+  SUNLinearSolver solver_ = nullptr;
+  void* ida_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_ida_engine(const System& system, double relative_tolerance) {
+  return std::make_unique<IdaEngine>(system, relative_tolerance);
+}
+
+}  // namespace ostium::network

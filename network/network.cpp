@@ -1,0 +1,147 @@
+#include "network/network.hpp"
+
+#include <map>
+
+#include "core/error.hpp"
+#include "network/engine.hpp"
+#include "network/state_space.hpp"
+#include "network/system.hpp"
+
+namespace ostium::network {
+
+/// Equations, their consistent solver and the integrator, in the order in which they need each other.
+struct Network::Parts {
+  System system;
+  Consistent consistent{system};
+  std::unique_ptr<Engine> engine;
+  std::optional<StateSpace> linear;                        // of a linear network
+  std::optional<std::pair<double, Eigen::MatrixXd>> held;  // last dt and its response
+
+  Parts(Model model, std::vector<Port> ports, const NetworkOptions& options)
+      : system(std::move(model), std::move(ports)) {
+    const std::vector<double> zero(system.size(), 0.0);
+    const auto start = system.start();
+    linear = linearise(system, 0, start.data(), zero.data());
+    constexpr size_t few = 24;  // above it a matrix exponential per exchange costs more than IDA's steps
+    const bool exact = options.method == Method::exact ||
+                       (options.method == Method::automatic && system.differential_unknowns().size() <= few);
+    if (exact && system.linear())
+      engine = make_exact_engine(system, consistent);
+    else
+      engine = make_ida_engine(system, options.relative_tolerance);
+    if (!system.linear()) linear.reset();
+  }
+  StateSpace state_space(const State& s) const {
+    return linear ? *linear : linearise(system, s.time, s.y.data(), s.dy.data());
+  }
+};
+
+Network::Network(Model model, std::vector<Port> ports, NetworkOptions options)
+    : parts_(std::make_unique<Parts>(std::move(model), std::move(ports), options)) {
+  const auto start = parts_->system.start();
+  State s{.time = 0,
+          .y = {start.begin(), start.end()},
+          .dy = std::vector<double>(start.size(), 0.0),
+          .port_flow = {}};
+  s.port_flow.resize(port_count());
+  parts_->consistent.solve(s.time, s.port_flow, s.y.data(), s.dy.data());
+  state_ = std::move(s);
+}
+
+Network::Network(Network&&) noexcept = default;
+Network& Network::operator=(Network&&) noexcept = default;
+Network::~Network() = default;
+
+int Network::port_count() const { return static_cast<int>(parts_->system.ports().size()); }
+const Port& Network::port(int k) const { return parts_->system.ports()[k]; }
+PortKind Network::kind(int port) const { return parts_->system.graph().port_kind[port]; }
+double Network::time() const { return state_.time; }
+bool Network::linear() const { return parts_->system.linear(); }
+double Network::total_compliance() const { return parts_->system.compliance(); }
+std::vector<double> Network::kinks(double t0, double t1) const { return parts_->system.kinks(t0, t1); }
+
+namespace {
+
+/// Times at which the integrator must stop: the kinks inside and the end.
+std::vector<double> stops(const System& system, double t0, double t1) {
+  std::vector<double> times;
+  const double least =
+      1e-12 * (std::abs(t1) + (t1 - t0));  // closer together they are one time, up to round-off
+  for (double t : system.kinks(t0, t1))
+    if (t - (times.empty() ? t0 : times.back()) > least && t1 - t > least) times.push_back(t);
+  times.push_back(t1);
+  return times;
+}
+
+}  // namespace
+
+void Network::advance(double dt, std::span<const double> q0, std::span<const double> q1) {
+  OSTIUM_ASSERT(dt > 0, "exchange of {} s", dt);
+  OSTIUM_ASSERT(static_cast<int>(q0.size()) == port_count() && q1.size() == q0.size(),
+                "{} and {} flows for {} ports", q0.size(), q1.size(), port_count());
+  State s = state_;  // kept as it was where the integrator gives up
+  const Flows flows{s.time, s.time + dt, q0, q1};
+  parts_->consistent.solve(s.time, q0, s.y.data(), s.dy.data());
+  for (double t : stops(parts_->system, flows.t0, flows.t1)) {
+    parts_->engine->advance(s.time, t, flows, s.y.data(), s.dy.data());
+    parts_->consistent.solve(t, flows.at(t), s.y.data(), s.dy.data());
+    s.time = t;
+  }
+  s.port_flow.assign(q1.begin(), q1.end());
+  state_ = std::move(s);
+}
+
+double Network::pressure(int port) const {
+  const int node = parts_->system.graph().port_node[port];
+  return node == outside ? 0.0 : state_.y[node];
+}
+
+double Network::pressure_slope(int port) const {
+  const int node = parts_->system.graph().port_node[port];
+  if (node == outside) return 0.0;
+  return parts_->consistent.rates(state_.time, state_.port_flow, state_.y.data(), state_.dy.data())[node];
+}
+
+double Network::flow_into_vessel(int port, double t) const {
+  const auto& g = parts_->system.graph();
+  const int source = g.port_source[port];
+  if (source == outside) return 0.0;
+  const auto& block = *parts_->system.model().entries[source].block;
+  const double sign =
+      block.terminals()[1].node == g.port_name[port] ? 1.0 : -1.0;  // `to` the opening: into the vessel
+  return sign * block.prescribed_flow(t);
+}
+
+Eigen::MatrixXd Network::port_resistance(double dt) const {
+  if (!linear()) return held_flow_response(parts_->state_space(state_), dt);
+  auto& held = parts_->held;
+  if (!held || held->first != dt) held = {dt, held_flow_response(*parts_->linear, dt)};
+  return held->second;
+}
+
+Eigen::MatrixXd Network::instant_resistance() const { return parts_->state_space(state_).D; }
+
+std::complex<double> Network::impedance(int port, double omega) const {
+  return frequency_response(parts_->state_space(state_), omega)(port, port);
+}
+
+const std::vector<std::string>& Network::series_names() const { return parts_->system.names(); }
+
+void Network::series(std::span<double> values) const {
+  OSTIUM_ASSERT(values.size() == state_.y.size(), "{} values for {} series", values.size(), state_.y.size());
+  std::copy(state_.y.begin(), state_.y.end(), values.begin());
+}
+
+State Network::save() const { return state_; }
+
+void Network::load(const State& state) {
+  const int n = parts_->system.size();
+  if (static_cast<int>(state.y.size()) != n || static_cast<int>(state.dy.size()) != n ||
+      static_cast<int>(state.port_flow.size()) != port_count())
+    user_error(
+        "the saved state has {} unknowns and {} ports, this network {} and {}: it belongs to another case",
+        state.y.size(), state.port_flow.size(), n, port_count());
+  state_ = state;  // as it is, so that a restart has the same bits
+}
+
+}  // namespace ostium::network

@@ -1,0 +1,111 @@
+#include "network/state_space.hpp"
+
+#include <Eigen/LU>
+#include <complex>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "core/error.hpp"
+
+namespace ostium::network {
+
+namespace {
+
+struct Parts {
+  Eigen::MatrixXd M, N;  // n x n, n x states; columns over scales, rows over their largest entry
+  Eigen::VectorXd row_scale;
+};
+
+Parts parts(const System& s, double t, const double* y, const double* dy) {
+  const auto& pattern = s.pattern();
+  std::vector<double> d_y(pattern.nonZeros()), d_dy(pattern.nonZeros());
+  s.jacobian(t, y, dy, d_y.data(), d_dy.data());
+  const auto& states = s.differential_unknowns();
+  Parts p{Eigen::MatrixXd::Zero(s.size(), s.size()), Eigen::MatrixXd::Zero(s.size(), states.size()), {}};
+  const auto spread = [&](int j, const std::vector<double>& values, auto column) {
+    for (int k = pattern.outerIndexPtr()[j]; k < pattern.outerIndexPtr()[j + 1]; ++k)
+      column[pattern.innerIndexPtr()[k]] = values[k] * s.scale()[j];
+  };
+  for (int j = 0; j < s.size(); ++j) spread(j, s.differential(j) ? d_dy : d_y, p.M.col(j));
+  for (size_t i = 0; i < states.size(); ++i) spread(states[i], d_y, p.N.col(i));
+  p.row_scale = p.M.cwiseAbs().rowwise().maxCoeff().unaryExpr([](double r) { return r > 0 ? r : 1.0; });
+  p.M.array().colwise() /= p.row_scale.array();
+  p.N.array().colwise() /= p.row_scale.array();
+  return p;
+}
+
+[[noreturn]] void refuse_singular(const System& s, const Eigen::FullPivLU<Eigen::MatrixXd>& lu) {
+  const Eigen::VectorXd open = lu.kernel().col(0);
+  std::string names;
+  for (int j = 0; j < s.size(); ++j)
+    if (std::abs(open[j]) > 1e-3 * open.lpNorm<Eigen::Infinity>())
+      names += (names.empty() ? "" : ", ") + s.names()[j];
+  user_error(
+      "{}: the blocks leave {} undetermined: their equations contradict or repeat each other; look for "
+      "sources or stores "
+      "that act on each other directly and put a resistor or a small compliance between them",
+      s.model().where, names);
+}
+
+/// E: a unit port flow enters at the row of its node.
+Eigen::MatrixXd inputs(const System& s, const Eigen::VectorXd& row_scale) {
+  const auto& node = s.graph().port_node;
+  Eigen::MatrixXd E = Eigen::MatrixXd::Zero(s.size(), node.size());
+  if (s.graph().junction == Junction::separate)
+    for (size_t k = 0; k < node.size(); ++k)
+      if (node[k] != outside) E(node[k], k) = 1 / row_scale[node[k]];
+  return E;
+}
+
+template <class Matrix>
+Eigen::MatrixXd state_rows(const System& s, const Matrix& m) {
+  const auto& states = s.differential_unknowns();
+  Eigen::MatrixXd rows(states.size(), m.cols());
+  for (size_t i = 0; i < states.size(); ++i) rows.row(i) = m.row(states[i]);
+  return rows;
+}
+
+template <class Matrix>
+Eigen::MatrixXd pressure_rows(const System& s, const Matrix& m) {
+  const auto& node = s.graph().port_node;
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(node.size(), m.cols());
+  for (size_t k = 0; k < node.size(); ++k)
+    if (node[k] != outside) rows.row(k) = m.row(node[k]) * s.scale()[node[k]];
+  return rows;
+}
+
+}  // namespace
+
+StateSpace linearise(const System& s, double t, const double* y, const double* dy) {
+  const Parts p = parts(s, t, y, dy);
+  Eigen::FullPivLU<Eigen::MatrixXd> lu(p.M);
+  lu.setThreshold(1e-13);
+  if (!lu.isInvertible()) refuse_singular(s, lu);
+  const Eigen::MatrixXd x = -lu.solve(p.N), q = lu.solve(inputs(s, p.row_scale));
+  return {state_rows(s, x), state_rows(s, q), pressure_rows(s, x), pressure_rows(s, q)};
+}
+
+Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& m) {
+  if (m.rows() == 0) return m;
+  return m.exp();
+}
+
+Eigen::MatrixXd held_flow_response(const StateSpace& s, double dt) {
+  const auto n = s.A.rows(), m = s.B.cols();
+  Eigen::MatrixXd joined = Eigen::MatrixXd::Zero(n + m, n + m);
+  joined.topLeftCorner(n, n) = s.A * dt;
+  joined.topRightCorner(n, m) = s.B * dt;
+  return s.D + s.C * matrix_exponential(joined).topRightCorner(n, m);
+}
+
+Eigen::MatrixXcd frequency_response(const StateSpace& s, double omega) {
+  const std::complex<double> i(0, 1);
+  const auto n = s.A.rows();
+  Eigen::MatrixXcd z = s.D.cast<std::complex<double>>();
+  if (n == 0) return z;
+  const Eigen::MatrixXcd resolvent = i * omega * Eigen::MatrixXcd::Identity(n, n) - s.A;
+  return z + s.C.cast<std::complex<double>>() * resolvent.fullPivLu().solve(s.B.cast<std::complex<double>>());
+}
+
+Eigen::MatrixXd transition(const StateSpace& s, double dt) { return matrix_exponential(s.A * dt); }
+
+}  // namespace ostium::network

@@ -1,0 +1,180 @@
+#include "network/system.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+
+namespace ostium::network {
+
+namespace {
+
+using lumped::Quantity;
+
+double scale_of(Quantity q) {
+  switch (q) {
+    case Quantity::pressure:
+      return 13332.2;  // 100 mmHg
+    case Quantity::flow:
+      return 1e-4;  // 100 mL/s
+    case Quantity::volume:
+      return 1e-4;  // 100 mL
+    case Quantity::ratio:
+      return 1;
+  }
+  return 1;
+}
+
+std::string series_name(const std::string& block, const lumped::Unknown& u) {
+  const std::string inner = std::string(u.name) == "q" ? block : block + "." + u.name;
+  switch (u.quantity) {
+    case Quantity::pressure:
+      return "p:" + inner + "_Pa";
+    case Quantity::flow:
+      return "q:" + inner + "_m3_s";
+    case Quantity::volume:
+      return "v:" + inner + "_m3";
+    case Quantity::ratio:
+      return "x:" + inner;
+  }
+  return inner;
+}
+
+}  // namespace
+
+System::System(Model model, std::vector<Port> ports, Junction junction)
+    : model_(std::move(model)), ports_(std::move(ports)), graph_(make_graph(model_, ports_, junction)) {
+  name_unknowns();
+  place_blocks();
+  make_pattern();
+}
+
+void System::name_unknowns() {
+  std::vector<double> scales;
+  const auto add = [&](std::string name, Quantity q, bool differential) {
+    if (differential) states_.push_back(size());
+    names_.push_back(std::move(name));
+    differential_.push_back(differential);
+    scales.push_back(scale_of(q));
+  };
+  for (const auto& node : graph_.nodes) add("p:" + node + "_Pa", Quantity::pressure, false);
+  for (const auto& e : model_.entries)
+    for (const auto& u : e.block->unknowns()) add(series_name(e.name, u), u.quantity, u.differential);
+  scale_ = Eigen::Map<Eigen::VectorXd>(scales.data(), static_cast<int>(scales.size()));
+}
+
+void System::place_blocks() {
+  int own = node_count();
+  for (size_t i = 0; i < model_.entries.size(); ++i) {
+    const auto& b = *model_.entries[i].block;
+    Placed p{.block = &b, .own = own, .node = graph_.node_of[i], .row = {}, .slots = {}};
+    for (int k = 0; k < b.unknown_count(); ++k) p.row.push_back(own + k);
+    p.row.insert(p.row.end(), p.node.begin(), p.node.end());
+    own += b.unknown_count();
+    linear_ = linear_ && b.linear();
+    placed_.push_back(std::move(p));
+  }
+}
+
+/// Column of a block's input [p, y, dy], outside for a ground.
+int System::column(const Placed& p, int input) const {
+  const int ports = p.block->port_count(), n = p.block->unknown_count();
+  return input < ports ? p.node[input] : p.own + (input - ports) % n;
+}
+
+void System::make_pattern() {
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto each = [&](auto visit) {
+    for (auto& p : placed_)
+      for (int e = 0; e < p.block->equation_count(); ++e)
+        for (int x = 0; x < p.block->input_count(); ++x)
+          if (p.row[e] != outside && column(p, x) != outside) visit(p, e, x);
+  };
+  each([&](Placed& p, int e, int x) { entries.emplace_back(p.row[e], column(p, x), 0.0); });
+  pattern_.resize(size(), size());
+  pattern_.setFromTriplets(entries.begin(), entries.end());
+  pattern_.makeCompressed();
+  each([&](Placed& p, int e, int x) {
+    const int part = x >= p.block->port_count() + p.block->unknown_count();
+    const int to = static_cast<int>(&pattern_.coeffRef(p.row[e], column(p, x)) - pattern_.valuePtr());
+    p.slots.push_back({part, e * p.block->input_count() + x, to});
+  });
+}
+
+void System::gather(const Placed& p, const double* y, const double* dy, std::vector<double>& x) const {
+  const auto& terminals = p.block->terminals();
+  x.clear();
+  for (size_t k = 0; k < terminals.size(); ++k)
+    x.push_back(p.node[k] == outside ? terminals[k].ground : y[p.node[k]]);
+  const int n = p.block->unknown_count();
+  x.insert(x.end(), y + p.own, y + p.own + n);
+  x.insert(x.end(), dy + p.own, dy + p.own + n);
+}
+
+void System::residual(double t, const double* y, const double* dy, std::span<const double> port_flow,
+                      double* f) const {
+  std::fill(f, f + size(), 0.0);
+  std::vector<double> x, out;
+  for (const auto& p : placed_) {
+    gather(p, y, dy, x);
+    out.resize(p.block->equation_count());
+    p.block->residual(t, x.data(), out.data());
+    for (size_t e = 0; e < out.size(); ++e)
+      if (p.row[e] != outside) f[p.row[e]] += out[e];
+  }
+  if (graph_.junction == Junction::merged) return;
+  for (size_t k = 0; k < graph_.port_node.size(); ++k)
+    if (graph_.port_node[k] != outside) f[graph_.port_node[k]] -= port_flow[k];
+}
+
+void System::jacobian(double t, const double* y, const double* dy, double* d_y, double* d_dy) const {
+  std::fill(d_y, d_y + pattern_.nonZeros(), 0.0);
+  std::fill(d_dy, d_dy + pattern_.nonZeros(), 0.0);
+  std::vector<double> x, local;
+  for (const auto& p : placed_) {
+    gather(p, y, dy, x);
+    local.resize(p.block->equation_count() * p.block->input_count());
+    p.block->jacobian(t, x.data(), local.data());
+    for (const auto& s : p.slots) (s.part ? d_dy : d_y)[s.to] += local[s.from];
+  }
+}
+
+Eigen::VectorXd System::start() const {
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(size());
+  for (const auto& p : placed_) p.block->initial(y.data() + p.own);
+  for (int i = 0; i < size(); ++i)
+    if (!differential_[i]) y[i] = 0;
+  return y;
+}
+
+std::vector<double> System::kinks(double t0, double t1) const {
+  std::vector<double> all;
+  for (const auto& p : placed_) {
+    const auto some = p.block->kinks(t0, t1);
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+double System::compliance() const {
+  double sum = 0;
+  for (const auto& p : placed_) sum += p.block->compliance();
+  return sum;
+}
+
+double System::flow_through_opening(int port, double t, const double* y, const double* dy) const {
+  double sum = 0;
+  std::vector<double> x, out;
+  for (size_t i = 0; i < placed_.size(); ++i) {
+    const auto& p = placed_[i];
+    gather(p, y, dy, x);
+    out.resize(p.block->equation_count());
+    p.block->residual(t, x.data(), out.data());
+    for (size_t k = 0; k < p.node.size(); ++k)
+      if (graph_.port_of[i][k] == port) sum += out[p.block->unknown_count() + k];
+  }
+  return sum;
+}
+
+}  // namespace ostium::network

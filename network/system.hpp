@@ -1,0 +1,84 @@
+/// The differential-algebraic equations of a joined network, with their exact Jacobian.
+///
+///   F(t, y, dy/dt; Q) = 0,   y = [node pressures, own unknowns of block 1, of block 2, ..]
+///
+///   row of a node      sum of the flows into its blocks - sum of the port flows Q_k there = 0     m3/s
+///   rows of a block    its own equations
+///   J                  dF/dy + c_j dF/d(dy/dt), one sparsity pattern for both parts
+///
+/// Unknowns are SI; `scale` gives the size at which each matters (100 mmHg, 100 mL/s, 100 mL).
+/// Not checked: the graph (network/graph does).
+#pragma once
+#include <Eigen/SparseCore>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lumped/block.hpp"
+#include "network/graph.hpp"
+
+namespace ostium::network {
+
+class System {
+ public:
+  System(Model model, std::vector<Port> ports, Junction junction = Junction::separate);
+
+  int size() const { return static_cast<int>(names_.size()); }
+  int node_count() const { return static_cast<int>(graph_.nodes.size()); }
+  const std::vector<std::string>& names() const { return names_; }
+  const Eigen::VectorXd& scale() const { return scale_; }
+  bool differential(int i) const { return differential_[i]; }
+  const std::vector<int>& differential_unknowns() const { return states_; }
+  bool linear() const { return linear_; }
+
+  /// port_flow: one per port, entries of flow ports are ignored.
+  void residual(double t, const double* y, const double* dy, std::span<const double> port_flow,
+                double* f) const;
+
+  /// Pattern of the Jacobian (compressed columns) and its two parts on it.
+  const Eigen::SparseMatrix<double>& pattern() const { return pattern_; }
+  void jacobian(double t, const double* y, const double* dy, double* d_y, double* d_dy) const;
+
+  /// y at rest: start values of the differential unknowns, else 0.
+  Eigen::VectorXd start() const;
+
+  std::vector<double> kinks(double t0, double t1) const;
+  double compliance() const;
+  /// Flow from the vessel through port k into the blocks there, in a merged network.
+  double flow_through_opening(int port, double t, const double* y, const double* dy) const;
+
+  const std::vector<Port>& ports() const { return ports_; }
+  const Graph& graph() const { return graph_; }
+  const Model& model() const { return model_; }
+
+ private:
+  struct Slot {
+    int part, from, to;  // 0: d_y, 1: d_dy; index in the block's Jacobian; index in the pattern's values
+  };
+  struct Placed {
+    const lumped::Block* block;
+    int own;                // index of its first own unknown
+    std::vector<int> node;  // per terminal
+    std::vector<int> row;   // per equation, outside where dropped
+    std::vector<Slot> slots;
+  };
+
+  void name_unknowns();
+  void place_blocks();
+  void make_pattern();
+  void gather(const Placed& p, const double* y, const double* dy, std::vector<double>& x) const;
+  int column(const Placed& p, int input) const;
+
+  Model model_;
+  std::vector<Port> ports_;
+  Graph graph_;
+  std::vector<Placed> placed_;
+  std::vector<std::string> names_;
+  std::vector<bool> differential_;
+  std::vector<int> states_;
+  Eigen::VectorXd scale_;
+  Eigen::SparseMatrix<double> pattern_;
+  bool linear_ = true;
+};
+
+}  // namespace ostium::network

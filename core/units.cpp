@@ -36,6 +36,7 @@ class UnitTable {
     add("dyn", "1e-5 N");
     add("P", "0.1 Pa.s");
     add("cP", "1e-3 Pa.s");
+    add("deg", "arc_degree");
     add("beat", "1");
     add("beats", "1");
     add("bpm", "1/min");

@@ -1,9 +1,9 @@
 /// Conversion of values with units to SI, dimension-checked, on UDUNITS-2.
 ///
 /// Units are written as UDUNITS-2 reads them: `mmHg`, `mL/s`, `L/min`, `mPa.s`, `Pa.s/m3`, `kg/m3`. Added
-/// here because the library lacks them: `dyn` (1e-5 N), `P` and `cP` (poise), `beat` (a count: `beats/min` is
-/// 1/60 s-1). A quantity is a decimal number and its unit: `80 mmHg`. Reciprocals are different dimensions (s
-/// is not Hz).
+/// here because the library lacks them: `dyn` (1e-5 N), `deg`, `P` and `cP` (poise), `beat` (a count:
+/// `beats/min` is 1/60 s-1). A quantity is a decimal number and its unit: `80 mmHg`. Reciprocals are
+/// different dimensions (s is not Hz).
 ///
 /// Not checked: whether the value makes sense (`MPa` where `mPa` was meant).
 #pragma once

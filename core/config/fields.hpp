@@ -160,7 +160,9 @@ class Fields {
   }
 
   /// Keeps the mapping itself, for messages of later checks that should name its position.
-  void origin(Node S::*member) { origin_ = member; }
+  void origin(Node S::*member) {
+    keep_origin_ = [member](S& s, const Node& node) { s.*member = node; };
+  }
 
   /// A condition on several fields together: returns the sentence of the error, or nothing.
   void check(std::function<std::string(const S&)> condition) { checks_.push_back(std::move(condition)); }
@@ -170,7 +172,7 @@ class Fields {
     if (!node.is_null()) node.check_keys(allowed(also_allowed));
     S s{};
     for (const auto& field : fields_) field->read(s, node);
-    if (origin_) s.*origin_ = node;
+    if (keep_origin_) keep_origin_(s, node);
     for (const auto& check : checks_)
       if (auto sentence = check(s); !sentence.empty()) node.error("{}", sentence);
     return s;
@@ -266,7 +268,7 @@ class Fields {
 
   std::vector<std::shared_ptr<AnyField<S>>> fields_;
   std::vector<std::function<std::string(const S&)>> checks_;
-  Node S::*origin_ = nullptr;
+  std::function<void(S&, const Node&)> keep_origin_;
 };
 
 }  // namespace ostium::config

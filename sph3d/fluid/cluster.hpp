@@ -1,0 +1,102 @@
+/// The layout of the fluid kernels: what belongs to a cluster of eight particles, and what a neighbour shows
+/// of itself.
+///
+/// Particles lie in an order in which every eight consecutive ones are close to each other. The side that is
+/// summed for (i) is one aligned block per cluster; the side that is summed over (j) is a 16-byte record per
+/// particle. During one advection step the positions in both are frozen: weights are recomputed, never
+/// stored.
+///
+///   symbol   meaning                                                                   unit
+///   x        frozen position relative to a local origin, over the reach 2h             -
+///   v        velocity                                                                  m/s
+///   psi      density deviation rho/rho0 - 1;  pressure over density P = c^2 psi        -, m2/s2
+///   rate     d psi/dt left by the last acoustic step                                   1/s
+///   diss     acceleration by the velocity-jump dissipation of the last acoustic step   m/s2
+///   prior    acceleration frozen for the advection step (viscosity, gravity)           m/s2
+///   G        sum_j B_j grad W V_j + 2 B_i grad S (wall)                                1/m
+///   B        correction matrix, upper triangle row by row                              -
+///   k0       sum_j W' V_j                                                              1/m
+///   wall     grad S of the wall                                                        1/m
+///   moved    displacement since the positions were frozen                              m
+///   acceleration   its square, of the last kick                                           m2/s4
+///   kV       (10 alpha / h^(D+1)) V:  grad W V = -kV (1 - r)^3 x_ij with x over 2h     1/m
+///
+/// Source: docs/theory/fluid.md, section "Discrete equations".
+#pragma once
+#include <cstdint>
+
+namespace ostium::sph3d {
+
+template <int D>
+inline constexpr int symmetric_size = D*(D + 1) / 2;
+
+template <int D>
+struct alignas(64) Cluster {
+  float x[D][8], v[D][8];
+  float psi[8], rate[8];
+  float diss[D][8], prior[D][8], G[D][8], B[symmetric_size<D>][8];
+  float k0[8], wall[D][8], moved[D][8];
+  float acceleration[8];
+};
+
+/// Kernel sums of the advection step that the acoustic steps do not need.
+template <int D>
+struct alignas(64) ClusterSums {
+  float density[8];                    ///< sum_j W V_j, the particle itself included          -
+  float gradient[D][8];                ///< sum_j grad W V_j                                   1/m
+  float moment[symmetric_size<D>][8];  ///< -sum_j r_ij (x) grad W V_j                         -
+  float viscous[D][8];                 ///< acceleration by viscosity, fluid neighbours only   m/s2
+};
+
+struct alignas(16) PlaceRecord {
+  float x, y, z, w;  ///< position over 2h; w = kV, or kV P during the acoustic steps
+};
+struct alignas(16) VelocityRecord {
+  float x, y, z, kV;
+};
+struct alignas(32) MatrixRecord {
+  float b[8];  ///< B of the neighbour (3 or 6 numbers), kV in b[7]
+};
+
+/// Rows of one cluster: indices of every particle within reach of any of the eight, an even number of them.
+struct Rows {
+  const std::int32_t* begin;
+  std::int32_t count;
+};
+
+/// Constants of a step, the same for all clusters.
+struct FluidConstants {
+  float c = 0, c2 = 0;       ///< sound speed, its square                       m/s
+  float reach = 0;           ///< 2h                                            m
+  float density_factor = 0;  ///< W V = density_factor kV (1-r)^4 (1+4r)        m
+  float viscosity = 0;       ///< kinematic viscosity                           m2/s
+  float limiter = 0;         ///< of the pressure dissipation, 3; 0 turns it off
+};
+
+/// The fluid kernels of one dimension, compiled for one instruction set.
+template <int D>
+struct FluidKernels {
+  /// density, gradient, moment and k0 of the clusters [begin, end); place.w = kV.
+  void (*sums)(std::int64_t begin, std::int64_t end, Cluster<D>*, ClusterSums<D>*, const Rows*,
+               const PlaceRecord*, const FluidConstants&);
+  /// G without its wall part, and viscous; place.w = kV.
+  void (*corrected_sums)(std::int64_t begin, std::int64_t end, Cluster<D>*, ClusterSums<D>*, const Rows*,
+                         const PlaceRecord*, const VelocityRecord*, const MatrixRecord*,
+                         const FluidConstants&);
+  /// First half of an acoustic step: pressure forces and the pressure-jump part of the density rate, then the
+  /// kick. Reads place (w = kV P) and writes velocity; `moved` receives half a drift before and after the
+  /// kick.
+  void (*kick)(std::int64_t begin, std::int64_t end, Cluster<D>*, const Rows*, const PlaceRecord*,
+               VelocityRecord*, const FluidConstants&, float dt);
+  /// Second half: divergence and dissipation, then density and pressure. Reads velocity and writes place.w;
+  /// psi advances by `weight` dt (1, or 1/2 at the end of an advection step).
+  void (*density)(std::int64_t begin, std::int64_t end, Cluster<D>*, const Rows*, PlaceRecord*,
+                  const VelocityRecord*, const FluidConstants&, float dt, float weight);
+  const char* name;
+};
+
+/// The fastest kernels this processor can run.
+template <int D>
+const FluidKernels<D>& fluid_kernels();
+
+}  // namespace ostium::sph3d

@@ -1,0 +1,84 @@
+#include "sph3d/openings/ports.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ostium::sph3d {
+
+namespace {
+
+/// Gives a particle its final velocity of the step; the second half of its drift follows it.
+template <int D>
+void set_velocity(FluidState<D>& fluid, Workspace<D>& work, std::int32_t i, const Vec<D>& v, double dt) {
+  Cluster<D>& own = fluid.clusters[i / 8];
+  const int lane = i % 8;
+  float* record = &work.velocity[i].x;
+  for (int d = 0; d < D; ++d) {
+    own.moved[d][lane] += static_cast<float>(0.5 * dt * (v[d] - own.v[d][lane]));
+    record[d] = own.v[d][lane] = static_cast<float>(v[d]);
+  }
+}
+
+template <int D>
+void drive_by_pressure(const Model<D>& model, VesselState<D>& state, Workspace<D>& work, int k,
+                       const Drive& drive, double dt, double filter_time) {
+  const Vec<D>& n = model.ducts[k].opening().normal;
+  PortState& port = state.ports[k];
+  const double V = state.fluid.volume, rho = model.options.density;
+  double q_tilde = 0, beta = 0;
+  for (const auto& member : work.zones[k].members) {
+    q_tilde += V * member.drive * state.fluid.velocity(member.index).dot(n);
+    beta += V * member.drive * member.drive / rho;
+  }
+  const PortLaw law = port.filter.corrected(drive.law.at(state.time + dt - drive.since));
+  port.pressure = implicit_port_pressure(law, q_tilde, beta * dt);
+  port.conjugate = q_tilde - beta * dt * port.pressure;
+  port.filter.step_conjugate(port.conjugate, dt, filter_time);
+  for (const auto& member : work.zones[k].members) {
+    const double vn = state.fluid.velocity(member.index).dot(n) - dt * port.pressure / rho * member.drive;
+    set_velocity<D>(state.fluid, work, member.index, vn * n, dt);
+  }
+}
+
+/// The counted volume lags what was asked for by round-off, arrival noise and the profile's discrete mean; a
+/// slow return.
+double trim(const PortState& port, double flow_scale) {
+  constexpr double return_time = 0.02, largest = 0.05;
+  const double behind = port.asked - (port.counted - port.counted_at_start);
+  return std::clamp(behind / return_time, -largest * flow_scale, largest * flow_scale);
+}
+
+template <int D>
+void drive_by_flow(const Model<D>& model, VesselState<D>& state, Workspace<D>& work, int k,
+                   const Drive& drive, double dt) {
+  const Opening<D>& opening = model.ducts[k].opening();
+  PortState& port = state.ports[k];
+  const double out = -(drive.flow_in + drive.flow_slope * (state.time + dt - drive.since));
+  port.flow_scale = std::max(port.flow_scale * std::exp(-dt), std::abs(out));
+  const double mean = (out + trim(port, port.flow_scale)) / opening.area;
+  port.asked += dt * out;
+  port.conjugate = out;
+  for (const auto& member : work.zones[k].members)
+    set_velocity<D>(state.fluid, work, member.index,
+                    mean * model.shapes[k](state.fluid.position[member.index]) * opening.normal, dt);
+}
+
+}  // namespace
+
+template <int D>
+void drive_ports(const Model<D>& model, VesselState<D>& state, Workspace<D>& work,
+                 std::span<const Drive> drives, double dt, double filter_time) {
+  for (std::size_t k = 0; k < drives.size(); ++k) {
+    if (model.roles[k].flow_driven)
+      drive_by_flow(model, state, work, static_cast<int>(k), drives[k], dt);
+    else
+      drive_by_pressure(model, state, work, static_cast<int>(k), drives[k], dt, filter_time);
+  }
+}
+
+template void drive_ports(const Model<2>&, VesselState<2>&, Workspace<2>&, std::span<const Drive>, double,
+                          double);
+template void drive_ports(const Model<3>&, VesselState<3>&, Workspace<3>&, std::span<const Drive>, double,
+                          double);
+
+}  // namespace ostium::sph3d

@@ -1,0 +1,122 @@
+#include "sph3d/step/workspace.hpp"
+
+#include <cmath>
+
+namespace ostium::sph3d {
+
+namespace {
+
+constexpr float far_away = 1e6f;  // local coordinates of an empty place, out of everybody's reach
+
+template <int D>
+float kernel_volume(const Model<D>& model) {
+  return static_cast<float>(10.0 * model.kernel.normalisation() / model.kernel.h * model.particle_volume);
+}
+
+}  // namespace
+
+template <int D>
+FluidConstants constants_of(const Model<D>& model) {
+  const auto& o = model.options;
+  const auto f = [](double x) { return static_cast<float>(x); };
+  return {.c = f(o.sound_speed),
+          .c2 = f(o.sound_speed * o.sound_speed),
+          .reach = f(model.kernel.reach()),
+          .density_factor = f(model.kernel.h / 10.0),
+          .viscosity = f(o.viscosity),
+          .limiter = f(o.limiter)};
+}
+
+template <int D>
+void freeze(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
+  const std::size_t n = state.places();
+  const double scale = 1.0 / model.kernel.reach();
+  const float kV = kernel_volume(model);
+  work.place.resize(n + 1);
+  work.velocity.resize(n + 1);
+  work.matrix.resize(n + 1);
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < n; ++i) {
+    Cluster<D>& c = state.clusters[i / 8];
+    const bool filled = state.filled[i];
+    const Vec<D> x = (state.position[i] - model.origin) * scale;
+    float* place = &work.place[i].x;
+    float* velocity = &work.velocity[i].x;
+    for (int d = 0; d < D; ++d) {
+      place[d] = c.x[d][i % 8] = filled ? static_cast<float>(x[d]) : far_away;
+      velocity[d] = c.v[d][i % 8];
+      c.moved[d][i % 8] = 0;
+    }
+    work.place[i].w = work.velocity[i].kV = filled ? kV : 0.0f;
+  }
+  work.place[n] = {far_away, far_away, far_away, 0};
+  work.velocity[n] = {};
+  work.matrix[n] = {};
+  work.rows.build(state.clusters, work.place);
+}
+
+template <int D>
+void find_zones(const Model<D>& model, const FluidState<D>& state, Workspace<D>& work) {
+  work.duct_of.assign(state.places(), -1);
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < state.places(); ++i)
+    for (std::size_t k = 0; k < model.ducts.size() && state.filled[i]; ++k)
+      if (model.ducts[k].holds(state.position[i])) work.duct_of[i] = static_cast<std::int8_t>(k);
+  work.zones.assign(model.ducts.size(), {});
+  for (std::size_t i = 0; i < state.places(); ++i)
+    if (const int k = work.duct_of[i]; k >= 0)
+      work.zones[k].members.push_back(
+          {static_cast<std::int32_t>(i), static_cast<float>(model.ducts[k].depth(state.position[i])), 0.0f});
+}
+
+template <int D>
+void look_around(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
+  work.around.resize(state.clusters.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t c = 0; c < state.clusters.size(); ++c) {
+    ClusterSurroundings<D>& around = work.around[c];
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+      const std::size_t i = 8 * c + lane;
+      const WallSample<D> wall = state.filled[i] ? model.wall(state.position[i]) : WallSample<D>{};
+      around.filling[lane] = static_cast<float>(wall.filling);
+      for (int d = 0; d < D; ++d) state.clusters[c].wall[d][lane] = static_cast<float>(wall.flux[d]);
+      double open = 0;
+      Vec<D> open_flux = Vec<D>::Zero();
+      if (const int k = work.duct_of[i]; k >= 0) {
+        // the product of two half-spaces; its exact gradient keeps filling and flux consistent at the rim
+        const Duct<D>& duct = model.ducts[k];
+        const double s = duct.depth(state.position[i]);
+        const double beyond = s < model.kernel.reach() ? model.half_space.filling(s) : 0.0;
+        open = beyond * (1.0 - wall.filling);
+        if (beyond > 0.0)
+          open_flux =
+              model.half_space.flux(s) * (1.0 - wall.filling) * duct.opening().normal - beyond * wall.flux;
+      }
+      around.open_filling[lane] = static_cast<float>(open);
+      for (int d = 0; d < D; ++d) around.open_flux[d][lane] = static_cast<float>(open_flux[d]);
+    }
+  }
+}
+
+template <int D>
+void kernel_sums(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
+  const auto& kernels = fluid_kernels<D>();
+  const FluidConstants constants = constants_of(model);
+  work.sums.resize(state.clusters.size());
+  const auto n = static_cast<std::int64_t>(state.clusters.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t c = 0; c < n; c += 16)
+    kernels.sums(c, std::min(c + 16, n), state.clusters.data(), work.sums.data(), work.rows.data(),
+                 work.place.data(), constants);
+}
+
+#define OSTIUM_INSTANTIATE(D)                                                     \
+  template FluidConstants constants_of(const Model<D>&);                          \
+  template void freeze(const Model<D>&, FluidState<D>&, Workspace<D>&);           \
+  template void find_zones(const Model<D>&, const FluidState<D>&, Workspace<D>&); \
+  template void look_around(const Model<D>&, FluidState<D>&, Workspace<D>&);      \
+  template void kernel_sums(const Model<D>&, FluidState<D>&, Workspace<D>&);
+OSTIUM_INSTANTIATE(2)
+OSTIUM_INSTANTIATE(3)
+
+}  // namespace ostium::sph3d

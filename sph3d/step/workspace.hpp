@@ -1,0 +1,69 @@
+/// What an advection step derives from the state and forgets again: neighbour rows, records, kernel sums,
+/// zones.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "sph3d/fluid/fluid_state.hpp"
+#include "sph3d/neighbours/row_lists.hpp"
+#include "sph3d/step/model.hpp"
+
+namespace ostium::sph3d {
+
+/// Per particle, what the kernels do not need.
+///
+///   filling        share of the kernel support in the wall                                 -
+///   open_filling   share beyond the outer face of a duct                                   -
+///   open_flux      its gradient, out of the vessel                                         1/m
+///   friction       rate at which the wall slows the particle, over nu                      1/m2
+///   shift          transport shift                                                         m
+template <int D>
+struct alignas(64) ClusterSurroundings {
+  float filling[8], open_filling[8], open_flux[D][8], friction[8], shift[D][8];
+};
+
+/// The particles in a duct, in the order of memory.
+template <int D>
+struct Zone {
+  struct Member {
+    std::int32_t index;
+    float depth;
+    float drive;  ///< 2 n.B grad(open filling) as the particles see it: what a unit of port pressure does 1/m
+  };
+  std::vector<Member> members;
+};
+
+template <int D>
+struct Workspace {
+  std::vector<PlaceRecord> place;
+  std::vector<VelocityRecord> velocity;
+  std::vector<MatrixRecord> matrix;
+  std::vector<ClusterSums<D>> sums;
+  std::vector<ClusterSurroundings<D>> around;
+  std::vector<std::int8_t> duct_of;  ///< of each place, -1 outside the ducts
+  std::vector<Zone<D>> zones;        ///< one per duct
+  RowLists<D> rows;
+};
+
+/// Copies the positions into clusters and records (over the reach, from the model's origin) and rebuilds the
+/// rows.
+template <int D>
+void freeze(const Model<D>& model, FluidState<D>& state, Workspace<D>& work);
+
+/// Which particles stand in which duct.
+template <int D>
+void find_zones(const Model<D>& model, const FluidState<D>& state, Workspace<D>& work);
+
+/// Filling by walls and by the outside of the openings, for every particle.
+template <int D>
+void look_around(const Model<D>& model, FluidState<D>& state, Workspace<D>& work);
+
+/// Density, gradient and moment sums over the rows (Workspace::sums).
+template <int D>
+void kernel_sums(const Model<D>& model, FluidState<D>& state, Workspace<D>& work);
+
+/// Constants the kernels share.
+template <int D>
+FluidConstants constants_of(const Model<D>& model);
+
+}  // namespace ostium::sph3d

@@ -1,0 +1,166 @@
+#include "sph3d/vessel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "sph3d/openings/ports.hpp"
+#include "sph3d/openings/renewal.hpp"
+#include "sph3d/particles/fill.hpp"
+#include "sph3d/step/lane_access.hpp"
+#include "sph3d/step/prepare.hpp"
+
+namespace ostium::sph3d {
+
+template <int D>
+Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::vector<OpeningRole> roles,
+                  double pressure, const std::function<void(double)>& progress)
+    : model_(std::make_unique<Model<D>>(lumen, options, std::move(roles))) {
+  state_.fluid = fill(*model_, {.progress = progress});
+  const double psi = pressure / (options.density * options.sound_speed * options.sound_speed);
+  for (std::size_t i = 0; i < state_.fluid.places(); ++i)
+    if (state_.fluid.filled[i]) state_.fluid.psi(i) = static_cast<float>(psi);
+  state_.ports.resize(lumen.openings.size());
+  for (auto& port : state_.ports) port.pressure = pressure;
+  find_zones(*model_, state_.fluid, work_);
+  count_ports(*model_, state_, work_);
+  for (auto& port : state_.ports) port.counted_at_start = port.counted;
+}
+
+template <int D>
+StepReport Vessel<D>::advance(double dt_limit, std::span<const Drive> drives, double filter_time) {
+  const auto& options = model_->options;
+  if (state_.steps % options.reorder_every == 0) state_.fluid.reorder();
+  const double dt = time_step(dt_limit);
+  const double dt_acoustic =
+      options.acoustic_cfl * model_->kernel.h / (options.sound_speed + state_.max_speed);
+  const int n = std::max(1, static_cast<int>(std::ceil(dt / dt_acoustic)));
+
+  freeze(*model_, state_.fluid, work_);
+  find_zones(*model_, state_.fluid, work_);
+  look_around(*model_, state_.fluid, work_);
+  kernel_sums(*model_, state_.fluid, work_);
+  correct_density(*model_, state_.fluid, work_);
+  correct_gradients(*model_, state_.fluid, work_);
+  prepare_forces(*model_, state_.fluid, work_, dt);
+  first_pressures(dt / n);
+  for (int k = 1; k <= n; ++k) acoustic_step(dt / n, k == n, drives, filter_time);
+  move();
+  renew_ports(*model_, state_, work_);
+
+  ++state_.steps;
+  state_.acoustic_steps += n;
+  return report(dt, n);
+}
+
+template <int D>
+double Vessel<D>::time_step(double dt_limit) const {
+  const auto& o = model_->options;
+  const double h = model_->kernel.h;
+  const double speed = std::max(
+      {state_.max_speed, std::sqrt(4.0 * h * state_.max_acceleration), o.reference_speed, o.viscosity / h});
+  const double dt = o.advection_cfl * h / speed;
+  return dt < dt_limit ? dt_limit / std::ceil(dt_limit / dt - 1e-9) : dt_limit;
+}
+
+/// The density half step left over by the last acoustic step, and with it the records' pressures.
+template <int D>
+void Vessel<D>::first_pressures(double dt) {
+  const float c2 = constants_of(*model_).c2;
+  for_clusters(state_.fluid.clusters.size(), [&](std::size_t c) {
+    Cluster<D>& own = state_.fluid.clusters[c];
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+      own.psi[lane] += static_cast<float>(0.5 * dt) * own.rate[lane];
+      work_.place[8 * c + lane].w = work_.velocity[8 * c + lane].kV * own.psi[lane] * c2;
+    }
+  });
+}
+
+template <int D>
+void Vessel<D>::acoustic_step(double dt, bool last, std::span<const Drive> drives, double filter_time) {
+  const auto& kernels = fluid_kernels<D>();
+  const FluidConstants constants = constants_of(*model_);
+  auto& clusters = state_.fluid.clusters;
+  for_batches(clusters.size(), [&](std::size_t begin, std::size_t end) {
+    kernels.kick(begin, end, clusters.data(), work_.rows.data(), work_.place.data(), work_.velocity.data(),
+                 constants, static_cast<float>(dt));
+  });
+  drive_ports(*model_, state_, work_, drives, dt, filter_time);
+  for_batches(clusters.size(), [&](std::size_t begin, std::size_t end) {
+    kernels.density(begin, end, clusters.data(), work_.rows.data(), work_.place.data(), work_.velocity.data(),
+                    constants, static_cast<float>(dt), last ? 0.5f : 1.0f);
+  });
+  state_.time += dt;
+}
+
+/// Positions take the displacement of the acoustic steps and the transport shift; who has slipped into the
+/// wall is put back.
+template <int D>
+void Vessel<D>::move() {
+  auto& fluid = state_.fluid;
+  std::vector<int> mirrored(fluid.clusters.size(), 0);
+  for_clusters(fluid.clusters.size(), [&](std::size_t c) {
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+      const std::size_t i = 8 * c + lane;
+      if (!fluid.filled[i]) continue;
+      const auto& around = work_.around[c];
+      fluid.position[i] += lane_vector<D>(fluid.clusters[c].moved, lane) + lane_vector<D>(around.shift, lane);
+      if (around.filling[lane] < 0.3f) continue;
+      const WallSample<D> wall = model_->wall(fluid.position[i]);
+      if (wall.filling < 0.52) continue;
+      const double inside = 0.25 * model_->options.dp - model_->half_space.distance(wall.filling);
+      if (wall.flux.norm() > 0.0) fluid.position[i] -= inside * wall.flux.normalized();
+      ++mirrored[c];
+    }
+  });
+  for (const int m : mirrored) state_.mirrored += m;
+}
+
+template <int D>
+StepReport Vessel<D>::report(double dt, int acoustic_steps) {
+  StepReport report{.dt = dt, .acoustic_steps = acoustic_steps};
+  const auto& fluid = state_.fluid;
+  const double mass = model_->options.density * fluid.volume;
+  double speed2 = 0, acceleration2 = 0;
+  bool finite = true;
+  for (std::size_t i = 0; i < fluid.places(); ++i) {
+    if (!fluid.filled[i]) continue;
+    ++report.particles;
+    const Cluster<D>& own = fluid.clusters[i / 8];
+    const std::size_t lane = i % 8;
+    const Vec<D> v = lane_vector<D>(own.v, lane);
+    report.kinetic_energy += 0.5 * mass * v.squaredNorm();
+    finite = finite && std::isfinite(v.squaredNorm()) && std::isfinite(own.psi[lane]);
+    if (work_.duct_of[i] >= 0) continue;
+    speed2 = std::max(speed2, v.squaredNorm());
+    acceleration2 = std::max(acceleration2, double(own.acceleration[lane]));
+    report.max_density_error = std::max(report.max_density_error, std::abs(double(own.psi[lane])));
+  }
+  if (!finite)
+    numerics_error("the flow has blown up: a particle has no finite velocity at t = {:.6g} s", state_.time);
+  state_.max_speed = report.max_speed = std::sqrt(speed2);
+  state_.max_acceleration = std::sqrt(acceleration2);
+  return report;
+}
+
+template <int D>
+double Vessel<D>::storage() const {
+  const auto& o = model_->options;
+  return static_cast<double>(state_.fluid.count()) * state_.fluid.volume /
+         (o.density * o.sound_speed * o.sound_speed);
+}
+
+template <int D>
+std::size_t Vessel<D>::bytes() const {
+  const std::size_t places = state_.fluid.places();
+  const std::size_t per_place =
+      sizeof(Vec<D>) + 1 +
+      (sizeof(Cluster<D>) + sizeof(ClusterSums<D>) + sizeof(ClusterSurroundings<D>)) / 8 +
+      sizeof(PlaceRecord) + sizeof(VelocityRecord) + sizeof(MatrixRecord) + 1;
+  return places * per_place + work_.rows.bytes() + model_->wall.bytes();
+}
+
+template class Vessel<2>;
+template class Vessel<3>;
+
+}  // namespace ostium::sph3d

@@ -1,0 +1,248 @@
+#include "sph3d/walls/wall_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ostium::sph3d {
+
+namespace {
+
+/// Weights of cubic Lagrange interpolation on nodes -1, 0, 1, 2 at t in [0, 1), and their derivatives.
+struct Cubic {
+  double w[4], d[4];
+  explicit Cubic(double t) {
+    const double a = t + 1, b = t, c = t - 1, e = t - 2;
+    w[0] = -b * c * e / 6;
+    w[1] = a * c * e / 2;
+    w[2] = -a * b * e / 2;
+    w[3] = a * b * c / 6;
+    d[0] = -(b * c + b * e + c * e) / 6;
+    d[1] = (a * c + a * e + c * e) / 2;
+    d[2] = -(a * b + a * e + b * e) / 2;
+    d[3] = (a * b + a * c + b * c) / 6;
+  }
+};
+
+/// Visits every node of a block: f(index within the block, offset per direction).
+template <int D, class F>
+void for_nodes(int edge, F&& f) {
+  int n = 0;
+  std::array<int, D> o{};
+  for (int k = 0; k < (D == 3 ? edge : 1); ++k)
+    for (int j = 0; j < edge; ++j)
+      for (int i = 0; i < edge; ++i) {
+        o[0] = i, o[1] = j;
+        if constexpr (D == 3) o[2] = k;
+        f(n++, o);
+      }
+}
+
+}  // namespace
+
+template <int D>
+WallField<D>::WallField(const std::function<double(const Vec<D>&)>& phi, const Vec<D>& lower,
+                        const Vec<D>& upper, const Wendland<D>& kernel, double dp)
+    : spacing_(dp / 3.0) {
+  const double margin = kernel.reach() + 2.0 * edge * spacing_;
+  origin_ = lower.array() - margin;
+  std::size_t count = 1;
+  for (int d = 0; d < D; ++d) {
+    blocks_[d] = static_cast<int>(std::ceil((upper[d] - lower[d] + 2.0 * margin) / (edge * spacing_)));
+    count *= blocks_[d];
+  }
+  block_of_.assign(count, all_wall);
+  find_blocks(phi, kernel.reach());
+  const auto fraction = fractions(phi);
+  convolve(fraction, kernel);
+  sharpen();
+}
+
+template <int D>
+auto WallField<D>::first_node(std::size_t block) const -> Index {
+  Index node;
+  for (int d = 0; d < D; ++d) {
+    node[d] = static_cast<int>(block % blocks_[d]) * edge;
+    block /= blocks_[d];
+  }
+  return node;
+}
+
+template <int D>
+Vec<D> WallField<D>::position(const Index& node) const {
+  Vec<D> x;
+  for (int d = 0; d < D; ++d) x[d] = origin_[d] + node[d] * spacing_;
+  return x;
+}
+
+template <int D>
+void WallField<D>::find_blocks(const std::function<double(const Vec<D>&)>& phi, double reach) {
+  const double radius = 0.5 * edge * spacing_ * std::sqrt(D);
+  const double band =
+      reach + radius + 2.0 * spacing_;  // a node whose support reaches the wall, or that of a fluid one
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::size_t b = 0; b < block_of_.size(); ++b) {
+    const Vec<D> centre = position(first_node(b)).array() + 0.5 * (edge - 1) * spacing_;
+    const double distance = phi(centre);
+    block_of_[b] = std::abs(distance) < band ? 0 : distance < 0.0 ? all_fluid : all_wall;
+  }
+  for (std::size_t b = 0; b < block_of_.size(); ++b)
+    if (block_of_[b] == 0) {
+      block_of_[b] = static_cast<std::int32_t>(stored_.size());
+      stored_.push_back(b);
+    }
+}
+
+template <int D>
+std::vector<float> WallField<D>::fractions(const std::function<double(const Vec<D>&)>& phi) const {
+  std::vector<float> fraction(stored_.size() * block_size);
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::size_t slot = 0; slot < stored_.size(); ++slot) {
+    const Index first = first_node(stored_[slot]);
+    for_nodes<D>(edge, [&](int n, const Index& o) {
+      Index node;
+      for (int d = 0; d < D; ++d) node[d] = first[d] + o[d];
+      fraction[slot * block_size + n] =
+          static_cast<float>(std::clamp(0.5 + phi(position(node)) / spacing_, 0.0, 1.0));
+    });
+  }
+  return fraction;
+}
+
+template <int D>
+std::int32_t WallField<D>::block_at(const Index& node) const {
+  std::size_t block = 0;
+  for (int d = D - 1; d >= 0; --d) {
+    const int b = node[d] >> 3;
+    if (node[d] < 0 || b >= blocks_[d]) return all_wall;
+    block = block * blocks_[d] + b;
+  }
+  return block_of_[block];
+}
+
+template <int D>
+float WallField<D>::node_value(const std::vector<float>& values, const Index& node) const {
+  const std::int32_t slot = block_at(node);
+  if (slot < 0) return slot == all_wall ? 1.0f : 0.0f;
+  int n = 0;
+  for (int d = D - 1; d >= 0; --d) n = n * edge + (node[d] & (edge - 1));
+  return values[static_cast<std::size_t>(slot) * block_size + n];
+}
+
+template <int D>
+void WallField<D>::convolve(const std::vector<float>& fraction, const Wendland<D>& kernel) {
+  const int m = static_cast<int>(std::ceil(kernel.reach() / spacing_)) - 1;  // stencil half-width
+  const int side = 2 * m + 1, padded = edge + 2 * m, layers = D == 3 ? side : 1;
+  std::vector<float> stencil(static_cast<std::size_t>(side) * side * layers);
+  double total = 0;
+  for (int pass = 0; pass < 2; ++pass)
+    for (int k = 0; k < layers; ++k)
+      for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+          const double r2 = (i - m) * (i - m) + (j - m) * (j - m) + (D == 3 ? (k - m) * (k - m) : 0);
+          const double w = kernel.value(std::sqrt(r2) * spacing_);
+          if (pass == 0)
+            total += w;
+          else
+            stencil[(static_cast<std::size_t>(k) * side + j) * side + i] = static_cast<float>(w / total);
+        }
+  values_.assign(stored_.size() * block_size, 0.0f);
+#pragma omp parallel
+  {
+    std::vector<float> around(static_cast<std::size_t>(padded) * padded * (D == 3 ? padded : 1));
+#pragma omp for schedule(dynamic, 8)
+    for (std::size_t slot = 0; slot < stored_.size(); ++slot) {
+      const Index first = first_node(stored_[slot]);
+      bool uniform = true;
+      for_nodes<D>(padded, [&](int n, const Index& o) {
+        Index node;
+        for (int d = 0; d < D; ++d) node[d] = first[d] + o[d] - m;
+        around[n] = node_value(fraction, node);
+        uniform = uniform && around[n] == around[0];
+      });
+      float* out = &values_[slot * block_size];
+      if (uniform) {
+        std::fill(out, out + block_size, around[0]);
+        continue;
+      }
+      for (int k = 0; k < (D == 3 ? edge : 1); ++k)
+        for (int j = 0; j < edge; ++j) {
+          float sum[edge] = {};
+          for (int c = 0; c < layers; ++c)
+            for (int b = 0; b < side; ++b) {
+              const float* row = &around[(static_cast<std::size_t>(k + c) * padded + j + b) * padded];
+              const float* weight = &stencil[(static_cast<std::size_t>(c) * side + b) * side];
+              for (int a = 0; a < side; ++a)
+                for (int i = 0; i < edge; ++i) sum[i] += weight[a] * row[a + i];
+            }
+          for (int i = 0; i < edge; ++i) *out++ = sum[i];
+        }
+    }
+  }
+}
+
+/// The fraction of a cell is the wall's indicator smoothed with variance spacing^2/12: S <- S - spacing^2/24
+/// laplace S.
+template <int D>
+void WallField<D>::sharpen() {
+  std::vector<float> sharp(values_.size());
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::size_t slot = 0; slot < stored_.size(); ++slot) {
+    const Index first = first_node(stored_[slot]);
+    for_nodes<D>(edge, [&](int n, const Index& o) {
+      Index node;
+      for (int d = 0; d < D; ++d) node[d] = first[d] + o[d];
+      const float centre = values_[slot * block_size + n];
+      float laplacian = 0;
+      for (int d = 0; d < D; ++d) {
+        Index next = node, previous = node;
+        ++next[d], --previous[d];
+        laplacian += node_value(values_, next) + node_value(values_, previous) - 2 * centre;
+      }
+      sharp[slot * block_size + n] = centre - laplacian / 24.0f;
+    });
+  }
+  values_ = std::move(sharp);
+}
+
+template <int D>
+WallSample<D> WallField<D>::operator()(const Vec<D>& x) const {
+  Index base;
+  double t[D];
+  for (int d = 0; d < D; ++d) {
+    const double u = (x[d] - origin_[d]) / spacing_;
+    base[d] = static_cast<int>(std::floor(u));
+    t[d] = u - base[d];
+  }
+  WallSample<D> sample;
+  const std::int32_t slot = block_at(base);
+  if (slot < 0) {
+    sample.filling = slot == all_wall ? 1.0 : 0.0;
+    return sample;
+  }
+  const Cubic cx(t[0]), cy(t[1]), cz(D == 3 ? t[D - 1] : 0.0);
+  for (int k = 0; k < (D == 3 ? 4 : 1); ++k)
+    for (int j = 0; j < 4; ++j) {
+      double line = 0, slope = 0;
+      for (int i = 0; i < 4; ++i) {
+        Index node = base;
+        node[0] += i - 1, node[1] += j - 1;
+        if constexpr (D == 3) node[2] += k - 1;
+        const double value = node_value(values_, node);
+        line += cx.w[i] * value;
+        slope += cx.d[i] * value;
+      }
+      const double wz = D == 3 ? cz.w[k] : 1.0;
+      sample.filling += line * cy.w[j] * wz;
+      sample.flux[0] += slope * cy.w[j] * wz;
+      sample.flux[1] += line * cy.d[j] * wz;
+      if constexpr (D == 3) sample.flux[2] += line * cy.w[j] * cz.d[k];
+    }
+  sample.flux /= spacing_;
+  if (sample.filling < 1e-6) return {};
+  return sample;
+}
+
+template class WallField<2>;
+template class WallField<3>;
+
+}  // namespace ostium::sph3d

@@ -32,6 +32,14 @@ class Fields {
                 .doc = std::move(doc)});
   }
 
+  /// The name of a unit, "cm", or a multiple of one; the member holds its size in the SI unit `unit`.
+  template <class M>
+  Field<S, M>& unit(std::string name, M S::*member, std::string unit, std::string doc) {
+    return add(
+        member, {read_unit, [](double v, const FieldInfo& i) { return write_quantity(v, i.unit); }},
+        {.name = std::move(name), .kind = FieldKind::unit, .unit = std::move(unit), .doc = std::move(doc)});
+  }
+
   /// A number without dimension.
   template <class M>
   Field<S, M>& number(std::string name, M S::*member, std::string doc) {

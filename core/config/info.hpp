@@ -10,6 +10,7 @@ namespace ostium::config {
 
 enum class FieldKind {
   quantity,
+  unit,
   number,
   integer,
   text,

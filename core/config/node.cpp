@@ -65,6 +65,28 @@ Node Node::with_text(const std::string& text) const {
   return node;
 }
 
+namespace {
+
+/// A copy of `tree` down to the replaced value; all else stays shared.
+TreePtr replaced(const TreePtr& tree, const std::string& path, const TreePtr& value) {
+  if (path.empty()) return value;
+  const auto dot = path.find('.');
+  const std::string key = path.substr(0, dot), rest = dot == std::string::npos ? "" : path.substr(dot + 1);
+  auto copy = std::make_shared<Tree>(tree && tree->kind == Tree::Kind::map ? *tree : Tree::map());
+  for (auto& entry : copy->entries)
+    if (entry.key == key) return entry.value = replaced(entry.value, rest, value), copy;
+  copy->entries.push_back({key, value->line, value->column, replaced(nullptr, rest, value)});
+  return copy;
+}
+
+}  // namespace
+
+Node Node::with_value(const std::string& dotted, const std::string& yaml) const {
+  Node node = *this;
+  node.tree_ = replaced(tree_, dotted, parse_yaml(yaml, dotted));
+  return node;
+}
+
 std::vector<Node> Node::items() const {
   if (!is_list()) error("expected a list like [a, b], found {}", describe());
   std::vector<Node> all;

@@ -44,6 +44,9 @@ class Node {
   /// The same place holding another scalar.
   Node with_text(const std::string& text) const;
 
+  /// The document with the value at a dotted path of keys replaced or added: with_value("time.cycles", "1").
+  Node with_value(const std::string& dotted, const std::string& yaml) const;
+
   /// Throws UserError "case.yaml:12:5: network.blocks.dao.Rp: <sentence>".
   template <class... Args>
   [[noreturn]] void error(fmt::format_string<Args...> sentence, Args&&... args) const {

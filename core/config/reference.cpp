@@ -16,6 +16,8 @@ std::string kind_of(const FieldInfo& f) {
   switch (f.kind) {
     case FieldKind::quantity:
       return f.unit;
+    case FieldKind::unit:
+      return "unit that converts to " + f.unit;
     case FieldKind::number:
       return "number";
     case FieldKind::integer:

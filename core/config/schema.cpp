@@ -32,6 +32,8 @@ json schema_of(const FieldInfo& f) {
   switch (f.kind) {
     case FieldKind::quantity:
       return quantity_schema();
+    case FieldKind::unit:
+      return {{"type", "string"}};
     case FieldKind::number:
       return any_of(with_range({{"type", "number"}}, f.range), quantity_schema());
     case FieldKind::integer:

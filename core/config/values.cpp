@@ -75,6 +75,15 @@ double read_quantity(const Node& node, const FieldInfo& info) {
   return value;
 }
 
+double read_unit(const Node& node, const FieldInfo& info) {
+  const std::string& text = value_text(node, fmt::format("a unit that converts to {}", info.unit));
+  const bool is_name = !text.empty() && std::string("+-.0123456789").find(text[0]) == std::string::npos;
+  const double value =
+      at_position(node, [&] { return is_name ? to_si(1.0, text, info.unit) : quantity(text, info.unit); });
+  if (!(value > 0)) node.error("{} is not allowed; a unit must be > 0 {}", text, info.unit);
+  return value;
+}
+
 double read_number(const Node& node, const FieldInfo& info) {
   const std::string& text = value_text(node, "a number");
   const double value = at_position(node, [&] {

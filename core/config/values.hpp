@@ -12,6 +12,7 @@
 namespace ostium::config {
 
 double read_quantity(const Node&, const FieldInfo&);
+double read_unit(const Node&, const FieldInfo&);  // "cm" or "2.5 cm": SI value of one such unit
 double read_number(const Node&, const FieldInfo&);
 long read_integer(const Node&, const FieldInfo&);
 std::string read_text(const Node&, const FieldInfo&);

@@ -77,6 +77,15 @@ TEST(ConfigErrors, WrongKinds) {
   EXPECT_THAT(error_in("only words"), HasSubstr("found the value \"only words\""));
 }
 
+TEST(ConfigErrors, UnitNames) {
+  EXPECT_THAT(error_in("length_unit: furlng"),
+              StartsWith("case.yaml:1:1: length_unit: unknown unit \"furlng\""));
+  EXPECT_THAT(error_in("length_unit: mmHg"), HasSubstr("the unit \"mmHg\" has the wrong dimension"));
+  EXPECT_EQ(error_in("length_unit: -1 cm"),
+            "case.yaml:1:1: length_unit: -1 cm is not allowed; a unit must be > 0 m");
+  EXPECT_THAT(error_in("length_unit: 5"), HasSubstr("found the bare number 5"));
+}
+
 TEST(ConfigErrors, NotFinite) {
   EXPECT_EQ(error_in("output: {every: .nan s}"),
             "case.yaml:1:10: output.every: \".nan s\" does not begin with a number");

@@ -58,6 +58,26 @@ TEST(ConfigRead, RelativePathsReferToTheFolderOfTheFile) {
   EXPECT_EQ(config::read<Study>(node).file, "/cases/aorta/in/x.csv");
 }
 
+TEST(ConfigRead, UnitsByName) {
+  EXPECT_EQ(read_study("title: a").length_unit, 1);
+  EXPECT_EQ(read_study("length_unit: cm").length_unit, 0.01);
+  EXPECT_EQ(read_study("length_unit: 0.001 m").length_unit, 0.001);
+}
+
+TEST(ConfigRead, ValuesReplacedOnTheWay) {
+  const auto node = config::Node::parse("title: a\noutput: {every: 1 s}\n", "case.yaml");
+  const auto other = node.with_value("output.every", "2 s")
+                         .with_value("output.fields_every", "3 s")
+                         .with_value("cycles", "7");
+  const Study s = config::read<Study>(other);
+  EXPECT_EQ(s.output.every, 2);
+  EXPECT_EQ(s.output.fields_every, 3);
+  EXPECT_EQ(s.cycles, 7);
+  EXPECT_EQ(config::read<Study>(node).output.every, 1);
+  EXPECT_THAT(error_of([&] { config::read<Study>(node.with_value("output.every", "2 m")); }),
+              testing::StartsWith("case.yaml:2:10: output.every: the unit \"m\" has the wrong dimension"));
+}
+
 TEST(ConfigRead, AnchorsAndMergeKeys) {
   const Study s = read_study(R"(
 blocks:

@@ -30,7 +30,7 @@ inline void declare(config::Fields<Output>& f) {
 
 struct Study {
   std::string title;
-  double porosity = 0;
+  double porosity = 0, length_unit = 0;
   int cycles = 0;
   bool force = false;
   Scheme scheme = Scheme::linearised;
@@ -49,6 +49,7 @@ struct Study {
 inline void declare(config::Fields<Study>& f) {
   f.text("title", &Study::title, "what this is").or_else("");
   f.number("porosity", &Study::porosity, "void fraction").at_least(0).below(1).or_else(0.5);
+  f.unit("length_unit", &Study::length_unit, "m", "unit of the file").or_else(1.0);
   f.integer("cycles", &Study::cycles, "number of cycles").at_least(1).at_most(100).or_else(2);
   f.flag("force", &Study::force, "go on despite warnings").or_else(false);
   f.choice("scheme", &Study::scheme, {{"linearised", Scheme::linearised}, {"held", Scheme::held}},

@@ -39,7 +39,9 @@ struct FlowSource : TwoTerminal {
   bool needs_opening() const { return velocity.has_value() && !flow; }
   FlowSource at_opening(double area) const {
     FlowSource placed = *this;
-    if (needs_opening()) placed.flow = velocity->scaled(area);
+    if (!needs_opening()) return placed;
+    placed.flow = velocity->scaled(area);
+    placed.velocity.reset();
     return placed;
   }
   std::vector<Terminal> terminals() const {

@@ -1,9 +1,10 @@
 #include "network/network.hpp"
 
-#include <map>
+#include <algorithm>
+#include <optional>
 
 #include "core/error.hpp"
-#include "network/engine.hpp"
+#include "network/march.hpp"
 #include "network/state_space.hpp"
 #include "network/system.hpp"
 
@@ -22,13 +23,7 @@ struct Network::Parts {
     const std::vector<double> zero(system.size(), 0.0);
     const auto start = system.start();
     linear = linearise(system, 0, start.data(), zero.data());
-    constexpr size_t few = 24;  // above it a matrix exponential per exchange costs more than IDA's steps
-    const bool exact = options.method == Method::exact ||
-                       (options.method == Method::automatic && system.differential_unknowns().size() <= few);
-    if (exact && system.linear())
-      engine = make_exact_engine(system, consistent);
-    else
-      engine = make_ida_engine(system, options.relative_tolerance);
+    engine = make_engine(system, consistent, options);
     if (!system.linear()) linear.reset();
   }
   StateSpace state_space(const State& s) const {
@@ -60,33 +55,12 @@ bool Network::linear() const { return parts_->system.linear(); }
 double Network::total_compliance() const { return parts_->system.compliance(); }
 std::vector<double> Network::kinks(double t0, double t1) const { return parts_->system.kinks(t0, t1); }
 
-namespace {
-
-/// Times at which the integrator must stop: the kinks inside and the end.
-std::vector<double> stops(const System& system, double t0, double t1) {
-  std::vector<double> times;
-  const double least =
-      1e-12 * (std::abs(t1) + (t1 - t0));  // closer together they are one time, up to round-off
-  for (double t : system.kinks(t0, t1))
-    if (t - (times.empty() ? t0 : times.back()) > least && t1 - t > least) times.push_back(t);
-  times.push_back(t1);
-  return times;
-}
-
-}  // namespace
-
 void Network::advance(double dt, std::span<const double> q0, std::span<const double> q1) {
   OSTIUM_ASSERT(dt > 0, "exchange of {} s", dt);
   OSTIUM_ASSERT(static_cast<int>(q0.size()) == port_count() && q1.size() == q0.size(),
                 "{} and {} flows for {} ports", q0.size(), q1.size(), port_count());
   State s = state_;  // kept as it was where the integrator gives up
-  const Flows flows{s.time, s.time + dt, q0, q1};
-  parts_->consistent.solve(s.time, q0, s.y.data(), s.dy.data());
-  for (double t : stops(parts_->system, flows.t0, flows.t1)) {
-    parts_->engine->advance(s.time, t, flows, s.y.data(), s.dy.data());
-    parts_->consistent.solve(t, flows.at(t), s.y.data(), s.dy.data());
-    s.time = t;
-  }
+  march(parts_->system, parts_->consistent, *parts_->engine, {s.time, s.time + dt, q0, q1}, s);
   s.port_flow.assign(q1.begin(), q1.end());
   state_ = std::move(s);
 }

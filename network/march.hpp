@@ -1,0 +1,16 @@
+/// Carries the state of a network across an interval, stopping at the kinks of its sources.
+#pragma once
+#include "network/engine.hpp"
+#include "network/network.hpp"
+
+namespace ostium::network {
+
+/// From state.time = flows.t0 to flows.t1; the state is consistent at the end, whatever it was.
+/// Throws NumericsError where the integrator gives up; the state is then worthless.
+void march(const System& system, Consistent& consistent, Engine& engine, const Flows& flows, State& state);
+
+/// The engine the options ask for.
+std::unique_ptr<Engine> make_engine(const System& system, Consistent& consistent,
+                                    const NetworkOptions& options);
+
+}  // namespace ostium::network

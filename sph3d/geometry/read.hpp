@@ -9,10 +9,10 @@
 ///             no opening, a choice of opening that matches nothing, two names on one opening
 ///
 ///   length_unit    m per unit of the file
-///   cap_open_ends  close every open end with a flat cap and take it as an opening
-///   largest        rank by area, 1 the largest;  nearest  m, the opening whose centre is nearest
-///   label          face id, or name of a face (.facenames beside a VTP, solids of an ASCII STL)
-///   where          put before the sentence of an error about this choice, such as "case.yaml:7:5: "
+///   cap_open_ends  join open edges that nearly coincide, close every open end with a flat cap, an opening
+///   then largest        rank by area, 1 the largest;  nearest  m, the opening whose centre is nearest label
+///   face id, or name of a face (.facenames beside a VTP, solids of an ASCII STL) where          put before
+///   the sentence of an error about this choice, such as "case.yaml:7:5: "
 ///
 /// Openings come from the labels of the file where it has any, otherwise from flat regions with a sharp
 /// convex rim. They are sorted by falling area. Not checked: self-intersection.

@@ -50,6 +50,19 @@ Network::~Network() = default;
 int Network::port_count() const { return static_cast<int>(parts_->system.ports().size()); }
 const Port& Network::port(int k) const { return parts_->system.ports()[k]; }
 PortKind Network::kind(int port) const { return parts_->system.graph().port_kind[port]; }
+const std::string& Network::where() const { return parts_->system.model().where; }
+
+std::shared_ptr<const lumped::Block> Network::only_block(int port) const {
+  std::shared_ptr<const lumped::Block> found;
+  const auto& at = parts_->system.graph().port_of;
+  for (size_t i = 0; i < at.size(); ++i) {
+    if (std::count(at[i].begin(), at[i].end(), port) == 0) continue;
+    if (found) return nullptr;
+    found = parts_->system.model().entries[i].block;
+  }
+  return found;
+}
+
 double Network::time() const { return state_.time; }
 bool Network::linear() const { return parts_->system.linear(); }
 double Network::total_compliance() const { return parts_->system.compliance(); }

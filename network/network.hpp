@@ -51,6 +51,10 @@ class Network {
   int port_count() const;
   const Port& port(int k) const;
   PortKind kind(int port) const;
+  /// The block that alone stands at the port's node; nothing where there are several.
+  std::shared_ptr<const lumped::Block> only_block(int port) const;
+  /// "case.yaml:12:5: network.blocks", for messages about the network as a whole.
+  const std::string& where() const;
 
   /// One exchange: from time() to time() + dt while the port flows go linearly from q0 to q1 (m3/s, one per
   /// port; those of flow ports are ignored). Throws NumericsError where the integrator gives up.

@@ -101,9 +101,8 @@ TEST(PeriodicStart, StartsTheCoupledNetworkWithoutTransient) {
 
 TEST(PeriodicStart, TableWithKinksRepeatsItself) {
   const std::string yaml =
-      "in: {type: flow_source, to: A, flow: {times: [0, 0.1, 0.3, 0.35, 1.0], time_unit: s, values: \"0 300 "
-      "0 -20 0 "
-      "mL/s\", period: 1 s}}\n"
+      "in: {type: flow_source, to: A, flow: {times: [0, 0.1, 0.3, 0.35, 1.0], time_unit: s, "
+      "values: [0, 300, 0, -20, 0], unit: mL/s, period: 1 s}}\n"
       "out: {type: windkessel, from: A, Rp: 1e7 Pa.s/m3, C: 1e-8 m3/Pa, Rd: 1.2e8 Pa.s/m3}\n";
   const Start s = periodic_start(model(yaml), {}, 1.0);
   Network n(model(yaml));

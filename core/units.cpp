@@ -42,6 +42,11 @@ class UnitTable {
     add("bpm", "1/min");
   }
 
+  ~UnitTable() {
+    for (auto& entry : converters_) cv_free(entry.second);
+    ut_free_system(system_);
+  }
+
   ut_unit* parse(const std::string& text) { return ut_parse(system_, text.c_str(), UT_UTF8); }
 
   cv_converter* converter(const std::string& from, const std::string& to) {

@@ -1,0 +1,120 @@
+/// The case file: everything a run needs, as declared fields (`ostium reference` prints them, `ostium check`
+/// checks them).
+///
+/// All values are SI. A case without `vessel` is a standalone study of its network.
+/// Checked here: each field by itself, and which fields belong together. Not checked here: surface, openings,
+/// graph.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/config.hpp"
+#include "network/simulate.hpp"
+#include "sph3d/openings/profile.hpp"
+
+namespace ostium::app {
+
+/// Which opening of the surface a name means, and its velocity profile where the network prescribes its flow.
+struct OpeningCase {
+  std::optional<int> largest, edge;
+  std::optional<std::vector<double>> nearest;  // m
+  std::optional<std::string> label;
+  sph3d::Profile profile = sph3d::Profile::parabolic;
+  config::Node origin;
+};
+
+enum class WallModel { rigid };
+
+struct WallCase {
+  WallModel model = WallModel::rigid;
+};
+
+struct VesselCase {
+  int dimension = 3;
+  std::optional<std::filesystem::path> surface;
+  std::optional<config::Node> outline;
+  std::optional<double> length_unit;  // m
+  double spacing = 0;                 // m
+  bool cap_open_ends = false;
+  std::vector<std::pair<std::string, OpeningCase>> openings;
+  WallCase wall;
+  config::Node origin;
+};
+
+struct FluidCase {
+  double density = 0, viscosity = 0;  // kg/m3, Pa.s
+  std::optional<double> sound_speed;  // m/s
+};
+
+struct NetworkCase {
+  config::Node blocks;
+  std::optional<network::Initial> initial;
+};
+
+enum class Scheme { linearised, held, extrapolated, modified_euler };
+
+struct CouplingCase {
+  Scheme scheme = Scheme::linearised;
+  std::optional<double> exchange, filter_time;  // s
+  bool force = false;
+};
+
+struct TimeCase {
+  std::optional<double> period, end;  // s
+  std::optional<int> cycles;
+  double final() const { return end ? *end : *period * cycles.value_or(1); }
+};
+
+struct OutputCase {
+  double every = 0;                    // s
+  std::optional<double> fields_every;  // s
+};
+
+/// Numbers of the methods; a user needs none of them.
+struct NumericsCase {
+  double advection_cfl = 0, acoustic_cfl = 0, shift = 0, limiter = 0, density_relaxation = 0;
+  std::optional<double> reference_speed;  // m/s
+};
+
+struct Case {
+  std::string title;
+  std::optional<VesselCase> vessel;
+  FluidCase fluid;
+  NetworkCase network;
+  CouplingCase coupling;
+  TimeCase time;
+  OutputCase output;
+  NumericsCase numerics;
+  config::Node origin;
+
+  /// As the case says, else periodic where the case has a period.
+  network::Initial initial() const;
+};
+
+void declare(config::Fields<OpeningCase>&);
+void declare(config::Fields<WallCase>&);
+void declare(config::Fields<VesselCase>&);
+void declare(config::Fields<FluidCase>&);
+void declare(config::Fields<NetworkCase>&);
+void declare(config::Fields<CouplingCase>&);
+void declare(config::Fields<TimeCase>&);
+void declare(config::Fields<OutputCase>&);
+void declare(config::Fields<NumericsCase>&);
+void declare(config::Fields<Case>&);
+
+/// What the command line changes in a case: another surface, values at dotted paths ("time.cycles", "1").
+struct Overrides {
+  std::optional<std::filesystem::path> surface;
+  std::vector<std::pair<std::string, std::string>> values;
+};
+
+/// Throws UserError with position.
+Case read_case(const std::filesystem::path& file, const Overrides& overrides = {});
+
+/// The name of a case: of its file, or of the folder of a file called case.yaml.
+std::string case_name(const std::filesystem::path& file);
+
+}  // namespace ostium::app

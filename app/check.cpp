@@ -1,0 +1,80 @@
+#include "app/check.hpp"
+
+#include <cmath>
+
+#include "app/estimate.hpp"
+#include "core/log.hpp"
+#include "lumped/block.hpp"
+#include "sph3d/geometry/read.hpp"
+
+namespace ostium::app {
+namespace {
+
+std::string duration(double seconds) {
+  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+std::string openings_of(const sph3d::Lumen<3>& lumen) { return sph3d::describe(lumen); }
+
+std::string openings_of(const sph3d::Lumen<2>& lumen) {
+  std::string text;
+  for (const auto& o : lumen.openings)
+    text += fmt::format("  {:<12} {:>8.4g} mm wide at ({:.4g}, {:.4g}) mm\n", o.name, 1e3 * o.area,
+                        1e3 * o.centre.x(), 1e3 * o.centre.y());
+  return text;
+}
+
+template <int D>
+std::string vessel_part(const Case& study, int threads) {
+  const Setup<D> s = set_up<D>(study);
+  std::string text = fmt::format("vessel    {:.5g} {}, {} openings\n", s.lumen.volume * (D == 3 ? 1e6 : 1e4),
+                                 D == 3 ? "mL" : "cm2", s.lumen.openings.size());
+  text += openings_of(s.lumen);
+  if (!text.ends_with('\n')) text += '\n';
+  for (std::size_t k = 0; k < s.ports.size(); ++k)
+    text += fmt::format("  {:<12} {}\n", s.ports[k].opening,
+                        s.kinds[k] == network::PortKind::flow
+                            ? fmt::format("flow prescribed by the network, {} profile",
+                                          s.profiles[k] == sph3d::Profile::plug ? "plug" : "parabolic")
+                            : "pressure of the network");
+  const Estimate e = estimate(study, s, threads);
+  text += fmt::format("particles about {:.3g} at {:.4g} mm, memory about {:.2g} GB\n", e.particles,
+                      1e3 * study.vessel->spacing, e.memory / 1e9);
+  return text + fmt::format("run time  roughly {} on {} cores ({:.2g} acoustic steps)\n", duration(e.wall),
+                            threads, e.steps);
+}
+
+std::string network_part(const Case& study) {
+  const network::Model model = network::read_model(study.network.blocks);
+  if (!study.vessel) network::Network{model};
+  std::string text = fmt::format("network   {} blocks, starts {}\n", model.entries.size(),
+                                 study.initial() == network::Initial::periodic ? "periodic" : "at rest");
+  for (const auto& entry : model.entries) {
+    std::string ends;
+    for (const auto& t : entry.block->terminals())
+      ends +=
+          fmt::format(" {} {}", t.key, t.grounded() ? fmt::format("ground ({:.4g} Pa)", t.ground) : t.node);
+    text += fmt::format("  {:<12} {:<16}{}\n", entry.name, entry.block->type(), ends);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string check(const Case& study, int threads) {
+  std::string text = study.title.empty() ? "" : study.title + "\n";
+  text += network_part(study);
+  if (study.vessel)
+    text += study.vessel->dimension == 2 ? vessel_part<2>(study, threads) : vessel_part<3>(study, threads);
+  const double end = study.time.final();
+  text += study.time.period ? fmt::format("time      {:.4g} s, {:.4g} periods of {:.4g} s\n", end,
+                                          end / *study.time.period, *study.time.period)
+                            : fmt::format("time      {:.4g} s\n", end);
+  const auto warnings = log::warnings().size();
+  return text + (warnings ? fmt::format("in order, with {} warning{}\n", warnings, warnings == 1 ? "" : "s")
+                          : "in order\n");
+}
+
+}  // namespace ostium::app

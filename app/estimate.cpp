@@ -1,0 +1,30 @@
+#include "app/estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ostium::app {
+namespace {
+
+constexpr double steps_per_core_second = 2e6, smoothing_ratio = 1.3;
+constexpr double bytes_per_particle = 600, bytes_of_program = 5e7;
+
+}  // namespace
+
+template <int D>
+Estimate estimate(const Case& study, const Setup<D>& setup, int threads) {
+  Estimate e;
+  e.particles = particle_count(study, setup.lumen);
+  const double speed = std::max(0.1, 2 * setup.peak_velocity);
+  const double sound = study.fluid.sound_speed.value_or(10 * speed);
+  const double step = study.numerics.acoustic_cfl * smoothing_ratio * study.vessel->spacing / (sound + speed);
+  e.steps = std::ceil(study.time.final() / step);
+  e.wall = e.particles * e.steps / (steps_per_core_second * threads);
+  e.memory = bytes_of_program + bytes_per_particle * e.particles;
+  return e;
+}
+
+template Estimate estimate(const Case&, const Setup<2>&, int);
+template Estimate estimate(const Case&, const Setup<3>&, int);
+
+}  // namespace ostium::app

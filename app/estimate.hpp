@@ -1,0 +1,20 @@
+/// How large and how long a coupled run will be, before it starts: a rough figure, within about a factor of two.
+///
+///   N     particles    V / dp^D
+///   U     m/s          twice the largest prescribed mean velocity (the centre of a parabola), at least 0.1
+///   c     m/s          as the case says, else 10 U
+///   dt    s            acoustic step, acoustic_cfl h / (c + U), h = 1.3 dp
+///   wall  s            N (end / dt) / (2e6 particle-steps per second and core)
+#pragma once
+#include "app/vessel_setup.hpp"
+
+namespace ostium::app {
+
+struct Estimate {
+  double particles = 0, steps = 0, wall = 0, memory = 0;  // -, acoustic steps, s, bytes
+};
+
+template <int D>
+Estimate estimate(const Case& study, const Setup<D>& setup, int threads);
+
+}  // namespace ostium::app

@@ -1,0 +1,65 @@
+/// Takes down a run as it goes: series, statistics of the cycles, and at the end the summary, in one results folder.
+///
+/// Statistics see every row they are given, the files one row per `output.every`. The folder is made by the constructor;
+/// construct it when nothing can be wrong with the input any more.
+#pragma once
+#include <chrono>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "app/case.hpp"
+#include "app/results/cycles.hpp"
+#include "app/results/folder.hpp"
+#include "app/results/series.hpp"
+
+namespace ostium::app {
+
+enum class Status { finished, interrupted, failed };
+
+class Recorder {
+ public:
+  struct Names {
+    std::vector<std::string> ports;   // openings, empty for a standalone network
+    std::vector<std::string> series;  // of the network
+  };
+  /// `effective` is the text of case.effective.yaml.
+  Recorder(const Case& study, std::string case_name, const ResultsFolder& folder,
+           const std::string& effective, Names names);
+
+  void row(double time, std::span<const PortRow> ports, std::span<const double> series);
+  void balance(const BalanceRow& row);  // thinned like the others
+  void flush();
+
+  /// Writes summary.json; `facts` are added to it (counts, wall times, checks).
+  void finish(Status status, const nlohmann::json& facts);
+  /// Mean, least and largest value of the last complete cycle, in mmHg and mL/s, for the terminal.
+  std::string table() const;
+  /// Largest change of a mean between the last two cycles over all series; 1 when there are fewer than two.
+  double periodicity() const;
+  double reached() const { return time_; }
+  const ResultsFolder& folder() const { return folder_; }
+
+ private:
+  struct Tracked {
+    std::string name, unit;
+    double scale;  // from SI to the unit
+    CycleStatistics statistics;
+  };
+  void track(const std::string& name, char kind);
+  nlohmann::json statistics() const;
+
+  Case study_;
+  std::string case_name_;
+  ResultsFolder folder_;
+  Names names_;
+  std::optional<PortsCsv> ports_;
+  std::optional<NetworkCsv> network_;
+  std::optional<BalanceCsv> balance_;
+  Thinning rows_, balance_rows_;
+  std::vector<Tracked> tracked_;
+  double time_ = 0;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace ostium::app

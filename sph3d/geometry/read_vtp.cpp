@@ -1,4 +1,3 @@
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
@@ -13,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "sph3d/geometry/soup.hpp"
+#include "sph3d/geometry/vtk_messages.hpp"
 
 namespace ostium::sph3d {
 namespace {
@@ -34,37 +34,19 @@ void check_announced_sizes(const std::filesystem::path& file) {
                  (*match)[2].str(), (*match)[1].str());
 }
 
-void remember_error(vtkObject*, unsigned long, void* first_error, void* text) {
-  auto& message = *static_cast<std::string*>(first_error);
-  if (message.empty() && text) message = static_cast<const char*>(text);
-}
-
-/// The last line of VTK's message says what is wrong; what stands before names places in its source.
-std::string last_line(std::string text) {
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
-  text = text.substr(text.find_last_of('\n') + 1);
-  const auto colon = text.find("): ");
-  return colon == text.npos ? text : text.substr(colon + 3);
-}
-
 vtkSmartPointer<vtkPolyData> load(const std::filesystem::path& file) {
-  std::string error;
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetCallback(remember_error);
-  listener->SetClientData(&error);
+  const VtkMessages messages;
   vtkNew<vtkXMLPolyDataReader> reader;
-  reader->AddObserver("ErrorEvent", listener);
-  reader->SetReaderErrorObserver(listener);
-  reader->SetParserErrorObserver(listener);
   reader->SetFileName(file.c_str());
+  std::string error;
   try {
     reader->Update();
+    error = messages.first_error();
   } catch (const std::exception& e) {
     error = e.what();
   }
   if (!error.empty())
-    user_error("{}: not a readable VTP file ({}); it is truncated or damaged", file.string(),
-               last_line(error));
+    user_error("{}: not a readable VTP file ({}); it is truncated or damaged", file.string(), error);
   return reader->GetOutput();
 }
 

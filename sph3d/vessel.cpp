@@ -42,7 +42,7 @@ StepReport Vessel<D>::advance(double dt_limit, std::span<const Drive> drives, do
   kernel_sums(*model_, state_.fluid, work_);
   correct_density(*model_, state_.fluid, work_);
   correct_gradients(*model_, state_.fluid, work_);
-  prepare_forces(*model_, state_.fluid, work_, dt);
+  prepare_forces(*model_, state_.fluid, work_);
   first_pressures(dt / n);
   for (int k = 1; k <= n; ++k) acoustic_step(dt / n, k == n, drives, filter_time);
   move();

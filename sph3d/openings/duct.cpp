@@ -14,7 +14,7 @@ template <int D>
 bool Duct<D>::holds(const Vec<D>& x) const {
   const Vec<D> r = x - opening_.centre;
   const double out = r.dot(opening_.normal);
-  if (out < 0.0 || out > length_ + dp_) return false;
+  if (out < 0.0 || out > length_ + 3.0 * dp_) return false;
   return (r - out * opening_.normal).norm() < radius_ + 0.5 * dp_;
 }
 

@@ -32,7 +32,7 @@ class Duct {
   double length() const { return length_; }
   double spacing() const { return dp_; }
   double depth(const Vec<D>& x) const { return length_ - (x - opening_.centre).dot(opening_.normal); }
-  /// Whether x lies in the duct: beyond the cap, before the outer face (with one spacing to spare) and near
+  /// Whether x lies in the duct: beyond the cap, before the outer face (with three spacings to spare) and near
   /// the axis.
   bool holds(const Vec<D>& x) const;
   double crossed(double depth) const;

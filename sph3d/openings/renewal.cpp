@@ -7,48 +7,46 @@ namespace ostium::sph3d {
 
 namespace {
 
-/// The fluid near the outer face, as an insertion sees it.
+constexpr double window_start = 1.0,
+                 window_end = 5.0;  // of the content, in particle spacings from the outer face
+constexpr double room = 0.75;       // free depth, in layers, at which a site takes a particle
+
+/// 1 near the outer face, 0 where the content is no longer looked at.
+double window(double s, double dp) {
+  const double x = std::clamp((s / dp - window_start) / (window_end - window_start), 0.0, 1.0);
+  return 1.0 - x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
+}
+
+/// f(site, share) for the sites a particle at x belongs to; the shares add up to one.
+template <int D, class F>
+void for_sites(const Slice<D>& slice, const Duct<D>& duct, const Vec<D>& x, F&& f) {
+  const Vec<D> on_slice = duct.at_depth(x, duct.length());
+  const auto& near = slice.near(on_slice);
+  double sum = 0;
+  const auto weight = [&](std::int32_t a) {
+    return std::exp(-(slice.sites[a] - on_slice).squaredNorm() / (0.36 * duct.spacing() * duct.spacing()));
+  };
+  for (const std::int32_t a : near) sum += weight(a);
+  for (const std::int32_t a : near)
+    f(a, sum > 0.0 ? weight(a) / sum : 1.0 / static_cast<double>(near.size()));
+}
+
+/// How much of the duct between the outer face and the fluid is empty, as a depth for each site.
 template <int D>
-struct Neighbourhood {
-  const Model<D>& model;
-  const FluidState<D>& fluid;
-  std::vector<Vec<D>> points;
-  std::vector<std::int32_t> index;
-
-  Neighbourhood(const Model<D>& m, const FluidState<D>& f, const Zone<D>& zone, double deepest)
-      : model(m), fluid(f) {
-    for (const auto& member : zone.members)
-      if (member.depth < deepest && f.filled[member.index]) add(member.index);
+std::vector<double> free_depth(const Model<D>& model, const VesselState<D>& state, const Workspace<D>& work,
+                               int k) {
+  const Duct<D>& duct = model.ducts[k];
+  const Slice<D>& slice = model.slices[k];
+  const double dp = duct.spacing(), whole = 0.5 * (window_start + window_end) * dp;
+  std::vector<double> depth(slice.sites.size(), whole);
+  for (const auto& member : work.zones[k].members) {
+    const Vec<D>& x = state.fluid.position[member.index];
+    const double inside = slice.spacing * window(duct.depth(x), dp) / (1.0 + state.fluid.psi(member.index));
+    if (inside > 0.0)
+      for_sites(slice, duct, x, [&](std::int32_t a, double share) { depth[a] -= share * inside; });
   }
-  void add(std::int32_t i) {
-    points.push_back(fluid.position[i]);
-    index.push_back(i);
-  }
-
-  /// Number density of a particle put at x, relative to the undisturbed fluid.
-  double density(const Duct<D>& duct, const Vec<D>& x) const {
-    double sum = model.kernel.value(0.0);
-    for (const Vec<D>& p : points) {
-      const double r2 = (p - x).squaredNorm();
-      if (r2 < model.reach() * model.reach()) sum += model.kernel.value(std::sqrt(r2));
-    }
-    const double wall = model.wall(x).filling;
-    const double beyond = model.half_space.filling(std::min(duct.depth(x), model.reach()));
-    return (sum * model.particle_volume + wall + beyond * (1.0 - wall)) / model.number_density;
-  }
-
-  /// Means over the neighbours of x: velocity along n, density deviation.
-  std::pair<double, double> means(const Vec<D>& x, const Vec<D>& n) const {
-    double weight = 1e-300, speed = 0, psi = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const double w = model.kernel.value((points[k] - x).norm());
-      weight += w;
-      speed += w * fluid.velocity(index[k]).dot(n);
-      psi += w * fluid.psi(index[k]);
-    }
-    return {speed / weight, psi / weight};
-  }
-};
+  return depth;
+}
 
 template <int D>
 void remove_leavers(const Model<D>& model, VesselState<D>& state, Workspace<D>& work, int k) {
@@ -62,23 +60,24 @@ void remove_leavers(const Model<D>& model, VesselState<D>& state, Workspace<D>& 
   members.erase(kept, members.end());
 }
 
-/// The depth between the site and `span` further in at which the density is `target`; it grows inward.
+/// Kernel means over the duct: velocity along n, density deviation.
 template <int D>
-double fitting_depth(const Neighbourhood<D>& near, const Duct<D>& duct, const Vec<D>& site, double target) {
-  double low = duct.depth(site), high = low + 0.35 * duct.spacing();
-  if (near.density(duct, duct.at_depth(site, high)) < target) return high;
-  for (int k = 0; k < 12; ++k) {
-    const double middle = 0.5 * (low + high);
-    (near.density(duct, duct.at_depth(site, middle)) < target ? low : high) = middle;
+std::pair<double, double> means(const Model<D>& model, const FluidState<D>& fluid, const Zone<D>& zone,
+                                const Vec<D>& x, const Vec<D>& n) {
+  double weight = 1e-300, speed = 0, psi = 0;
+  for (const auto& member : zone.members) {
+    const double w = model.kernel.value((fluid.position[member.index] - x).norm());
+    weight += w;
+    speed += w * fluid.velocity(member.index).dot(n);
+    psi += w * fluid.psi(member.index);
   }
-  return low;
+  return {speed / weight, psi / weight};
 }
 
 template <int D>
-void insert(const Model<D>& model, VesselState<D>& state, Workspace<D>& work, int k, const Vec<D>& x,
-            Neighbourhood<D>& near) {
+void insert(const Model<D>& model, VesselState<D>& state, Workspace<D>& work, int k, const Vec<D>& x) {
   const Vec<D>& n = model.ducts[k].opening().normal;
-  const auto [speed, psi] = near.means(x, n);
+  const auto [speed, psi] = means(model, state.fluid, work.zones[k], x, n);
   const std::size_t i = state.fluid.insert(x);
   state.fluid.velocity(i, Vec<D>(speed * n));
   const double c = model.options.sound_speed;
@@ -87,43 +86,20 @@ void insert(const Model<D>& model, VesselState<D>& state, Workspace<D>& work, in
   state.ports[k].inserted += state.fluid.volume;
   work.zones[k].members.push_back(
       {static_cast<std::int32_t>(i), static_cast<float>(model.ducts[k].depth(x)), 0.0f});
-  near.add(static_cast<std::int32_t>(i));
 }
 
 template <int D>
 void insert_arrivals(const Model<D>& model, VesselState<D>& state, Workspace<D>& work, int k) {
   const Duct<D>& duct = model.ducts[k];
-  const double first = 0.5 * model.slices[k].spacing;
-  Neighbourhood<D> near(model, state.fluid, work.zones[k], first + 0.35 * duct.spacing() + model.reach());
-  const double target = 1.0 + state.ports[k].density_trim;
-  std::vector<std::pair<double, std::size_t>> open;
-  for (std::size_t a = 0; a < model.slices[k].sites.size(); ++a) {
-    const double density = near.density(duct, duct.at_depth(model.slices[k].sites[a], first));
-    if (density < target) open.emplace_back(density, a);
+  const Slice<D>& slice = model.slices[k];
+  std::vector<double> depth = free_depth(model, state, work, k);
+  while (!depth.empty()) {
+    const auto emptiest = std::max_element(depth.begin(), depth.end());
+    if (*emptiest < room * slice.spacing) break;
+    const Vec<D> x = duct.at_depth(slice.sites[emptiest - depth.begin()], *emptiest - 0.5 * slice.spacing);
+    insert(model, state, work, k, x);
+    for_sites(slice, duct, x, [&](std::int32_t a, double share) { depth[a] -= share * slice.spacing; });
   }
-  std::sort(open.begin(), open.end());
-  for (const auto& [density, a] : open) {
-    const Vec<D> site = duct.at_depth(model.slices[k].sites[a], first);
-    if (near.density(duct, site) >= target) continue;  // an earlier one has filled the place
-    insert(model, state, work, k, duct.at_depth(site, fitting_depth(near, duct, site, target)), near);
-  }
-}
-
-/// Mean number density in the part of the duct with full support, smoothly windowed, against that of the
-/// fluid's mean pressure there; the insertion threshold follows with the time the fluid takes through the
-/// duct.
-template <int D>
-void trim_density(const Model<D>& model, VesselState<D>& state, const Workspace<D>& work, int k) {
-  const Duct<D>& duct = model.ducts[k];
-  const double dp = duct.spacing(), low = dp, high = duct.length();
-  double content = 0;
-  for (const auto& member : work.zones[k].members) {
-    const double u = (duct.depth(state.fluid.position[member.index]) - low) / (high - low);
-    if (u > 0.0 && u < 1.0) content += state.fluid.volume * (1.0 - std::cos(2.0 * pi * u));
-  }
-  const double wanted = duct.opening().area * (high - low);
-  state.ports[k].density_trim =
-      std::clamp(state.ports[k].density_trim + 0.02 * (1.0 - content / wanted), -0.1, 0.1);
 }
 
 }  // namespace
@@ -151,7 +127,6 @@ void renew_ports(const Model<D>& model, VesselState<D>& state, Workspace<D>& wor
   find_zones(model, state.fluid, work);
   for (int k = 0; k < static_cast<int>(state.ports.size()); ++k) {
     remove_leavers(model, state, work, k);
-    trim_density(model, state, work, k);
     insert_arrivals(model, state, work, k);
   }
   count_ports(model, state, work);

@@ -3,12 +3,12 @@
 ///
 /// Deletion. A particle of the duct that has passed the outer face (s < 0) is removed.
 ///
-/// Insertion. The sites of the relaxed slice stand half a spacing inside the outer face. A site receives a
-/// particle as soon as the particle would find the number density of the undisturbed fluid there, emptiest
-/// site first; it is then moved inward to the depth where that density is met exactly. There is no memory of
-/// who crossed what: flow reversal, shear and arrival of disordered fluid leave no holes and no overlaps. The
-/// threshold follows the mean density in the duct slowly (density_trim), so that the inserted fluid is as
-/// dense as that of the vessel.
+/// Insertion. Every particle of the duct fills a depth V / (area per site) of the sites of the relaxed slice
+/// it stands on, shared so that nothing is counted twice; what then is missing between the outer face and the
+/// fluid is the free depth of each site. The site with the most free depth receives a particle as soon as
+/// that is 3/4 of a layer, placed against the fluid, until none has. Void is neither made nor lost, so the
+/// fluid enters at its own density whatever the profile, and there is no memory of who crossed what:
+/// reversal, shear and arrival of disordered fluid leave no holes and no overlaps.
 ///
 /// Counting. M = sum V crossed + deleted - inserted is smooth in time and conserves volume to round-off.
 /// Deterministic: everything runs in the order of memory and of the sites. Source: docs/theory/openings.md.

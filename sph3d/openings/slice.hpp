@@ -7,6 +7,8 @@
 ///
 /// The number of sites is round(area / dp^(D-1)). Source: docs/theory/openings.md, section "Slices".
 #pragma once
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "sph3d/geometry/lumen.hpp"
@@ -16,7 +18,20 @@ namespace ostium::sph3d {
 template <int D>
 struct Slice {
   std::vector<Vec<D>> sites;
-  double spacing;
+  double spacing = 0;
+
+  /// Indices of the sites around a point of the plane (within about two spacings; the nearest one at least).
+  const std::vector<std::int32_t>& near(const Vec<D>& x) const;
+
+  /// Sorts the sites into bins of this width (m) for `near`.
+  void bin(double width);
+
+ private:
+  std::array<int, D> bin_of(const Vec<D>& x) const;
+  double width_ = 1;
+  Vec<D> lower_ = Vec<D>::Zero();
+  std::array<int, D> bins_{};
+  std::vector<std::vector<std::int32_t>> around_;  // of each bin: the sites in it and in the bins beside it
 };
 
 template <int D>

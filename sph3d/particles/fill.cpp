@@ -5,6 +5,7 @@
 
 #include "sph3d/geometry/signed_distance.hpp"
 #include "sph3d/particles/relax.hpp"
+#include "sph3d/step/workspace.hpp"
 
 namespace ostium::sph3d {
 
@@ -27,58 +28,74 @@ bool in_layers(const Model<D>& model, const Vec<D>& x) {
         static_cast<int>(std::ceil((duct.length() + 0.25 * duct.spacing()) / model.slices[k].spacing - 0.5));
     const double inner_face = count * model.slices[k].spacing;
     const double s = duct.depth(x);
-    if (s < inner_face && s > -duct.spacing() && duct.holds(duct.at_depth(x, 0.5 * duct.length())) &&
-        inside_outline(duct.opening(), x))
+    if (s < inner_face + 0.4 * duct.spacing() && s > -duct.spacing() &&
+        duct.holds(duct.at_depth(x, 0.5 * duct.length())) && inside_outline(duct.opening(), x))
       return true;
   }
   return false;
 }
 
-/// Lattice points inside the domain and outside the layers, deepest first.
+/// Points of a cubic lattice of this spacing inside the domain and outside the layers, with their distance to the surface.
 template <int D>
-std::vector<Vec<D>> lattice(const Model<D>& model, std::size_t wanted) {
-  const SignedDistance<D> phi(model.domain.surface);
-  const double dp = model.options.dp;
+std::vector<std::pair<double, Vec<D>>> lattice(const Model<D>& model, const SignedDistance<D>& phi,
+                                               double spacing) {
   Vec<D> lower = model.domain.surface.points.front(), upper = lower;
   for (const Vec<D>& p : model.domain.surface.points) lower = lower.cwiseMin(p), upper = upper.cwiseMax(p);
   std::array<std::int64_t, 3> n{1, 1, 1};
-  for (int d = 0; d < D; ++d) n[d] = static_cast<std::int64_t>((upper[d] - lower[d]) / dp) + 1;
-  const Vec<D> first =
-      0.5 * (lower + upper - Vec<D>::Constant(dp)) -
-      0.5 * dp * Eigen::Map<Eigen::Array<std::int64_t, D, 1>>(n.data()).template cast<double>().matrix() +
-      Vec<D>::Constant(dp);
+  Vec<D> first;
+  for (int d = 0; d < D; ++d) {
+    n[d] = static_cast<std::int64_t>((upper[d] - lower[d]) / spacing) + 1;
+    first[d] = 0.5 * (lower[d] + upper[d] - static_cast<double>(n[d] - 1) * spacing);
+  }
   std::vector<std::vector<std::pair<double, Vec<D>>>> found(n[D - 1]);
 #pragma omp parallel for schedule(dynamic)
   for (std::int64_t layer = 0; layer < n[D - 1]; ++layer) {
     const std::int64_t size = D == 3 ? n[0] * n[1] : n[0];
     for (std::int64_t k = 0; k < size; ++k) {
       Vec<D> x = first;
-      x[0] += dp * static_cast<double>(k % n[0]);
-      x[D - 1] += dp * static_cast<double>(layer);
-      if constexpr (D == 3) x[1] += dp * static_cast<double>(k / n[0]);
+      x[0] += spacing * static_cast<double>(k % n[0]);
+      x[D - 1] += spacing * static_cast<double>(layer);
+      if constexpr (D == 3) x[1] += spacing * static_cast<double>(k / n[0]);
       const double distance = phi(x).phi;
-      if (distance < 0.0 && !in_layers(model, x)) found[layer].emplace_back(distance, x);
+      if (distance < -0.25 * model.options.dp && !in_layers(model, x)) found[layer].emplace_back(distance, x);
     }
   }
   std::vector<std::pair<double, Vec<D>>> all;
   for (auto& layer : found) all.insert(all.end(), layer.begin(), layer.end());
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  if (all.size() > wanted) all.resize(wanted);
+  return all;
+}
+
+/// Exactly `wanted` points of the widest lattice that has as many: those nearest to the surface are left out.
+template <int D>
+std::vector<Vec<D>> inner_points(const Model<D>& model, std::size_t wanted) {
+  const SignedDistance<D> phi(model.domain.surface);
+  std::vector<std::pair<double, Vec<D>>> found;
+  double spacing = model.options.dp;
+  for (int attempt = 0; attempt < 50 && wanted > 0; ++attempt) {
+    found = lattice(model, phi, spacing);
+    if (found.size() >= wanted) break;
+    const double share = std::max(static_cast<double>(found.size()), 1.0) / static_cast<double>(wanted);
+    spacing *= std::clamp(std::pow(share, 1.0 / D), 0.7, 0.998);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  found.resize(std::min(found.size(), wanted));
   std::vector<Vec<D>> points;
-  for (const auto& [distance, x] : all) points.push_back(x);
+  for (const auto& [distance, x] : found) points.push_back(x);
   return points;
 }
 
-/// Where the lattice has too few points, the missing ones go between it: beside points spread evenly over the
-/// list.
+/// Walls and outer faces together.
 template <int D>
-void complete(std::vector<Vec<D>>& points, std::size_t wanted, double dp) {
-  const std::size_t present = points.size();
-  for (std::size_t k = 0; present + k < wanted && present > 0; ++k) {
-    Vec<D> beside = points[(k * 7919) % present];
-    beside[k % D] += 0.5 * dp;
-    points.push_back(beside);
-  }
+WallSample<D> outside(const Model<D>& model, const Vec<D>& x) {
+  WallSample<D> sample = model.wall(x);
+  for (std::size_t k = 0; k < model.ducts.size(); ++k)
+    if (model.ducts[k].holds(x)) {
+      const WallSample<D> beyond = beyond_face(model, static_cast<int>(k), x, sample);
+      sample.filling += beyond.filling;
+      sample.flux += beyond.flux;
+    }
+  return sample;
 }
 
 }  // namespace
@@ -92,8 +109,7 @@ FluidState<D> fill(const Model<D>& model, const FillOptions& options) {
   }
   const auto total = static_cast<std::size_t>(std::llround(model.domain.volume / model.particle_volume));
   const std::size_t fixed_count = points.size(), wanted = total > fixed_count ? total - fixed_count : 0;
-  std::vector<Vec<D>> inner = lattice(model, wanted);
-  complete(inner, wanted, model.options.dp);
+  const std::vector<Vec<D>> inner = inner_points(model, wanted);
   points.insert(points.end(), inner.begin(), inner.end());
   std::vector<std::uint8_t> fixed(points.size(), 0);
   std::fill_n(fixed.begin(), fixed_count, 1);
@@ -101,7 +117,7 @@ FluidState<D> fill(const Model<D>& model, const FillOptions& options) {
     if (options.progress) options.progress((iteration + 1.0) / options.iterations);
   };
   relax<D>(points, fixed,
-           {.outside = [&](const Vec<D>& x) { return model.wall(x); },
+           {.outside = [&](const Vec<D>& x) { return outside(model, x); },
             .kernel = model.kernel,
             .volume = model.particle_volume,
             .iterations = options.iterations,

@@ -60,7 +60,13 @@ double relax(std::vector<Vec<D>>& points, const std::vector<std::uint8_t>& fixed
       for (std::size_t k = 8 * c; k < std::min<std::size_t>(8 * c + 8, points.size()); ++k) {
         if (fixed[order[k]]) continue;
         Vec<D>& x = points[order[k]];
-        Vec<D> push = how.outside(x).flux;
+        const WallSample<D> outside = how.outside(x);
+        if (outside.filling > 0.5 &&
+            outside.flux.squaredNorm() > 0.0) {  // it has slipped out: back by a fifth of dp
+          x -= 2.0 * largest * outside.flux.normalized();
+          continue;
+        }
+        Vec<D> push = outside.flux;
         for (int d = 0; d < D; ++d) push[d] += cloud.sums[c].gradient[d][k % 8];
         squares[c] += h * h * push.squaredNorm();
         Vec<D> step = -0.4 * h * h * push;

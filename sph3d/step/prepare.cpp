@@ -64,11 +64,11 @@ void correct_gradients(const Model<D>& model, FluidState<D>& fluid, Workspace<D>
       if (around.open_filling[lane] > 0.0f)
         moment += open_moment(model, model.ducts[work.duct_of[i]], fluid.position[i], around.filling[lane]);
       const Mat<D> B = correction(moment);
-      around.friction[lane] = 0;
+      own.friction[lane] = 0;
       if (near_wall) {
         const double nBn = n.dot(B * n);
-        around.friction[lane] = static_cast<float>(model.half_space.friction_n(s) * nBn +
-                                                   model.half_space.friction_t(s) * (B.trace() - nBn));
+        const double rate = model.half_space.friction_n(s) * nBn + model.half_space.friction_t(s) * (B.trace() - nBn);
+        own.friction[lane] = static_cast<float>(model.options.viscosity * rate);
       }
       for (int a = 0, k = 0; a < D; ++a)
         for (int b = a; b < D; ++b, ++k) work.matrix[i].b[k] = own.B[k][lane] = static_cast<float>(B(a, b));
@@ -109,7 +109,7 @@ void prepare_zones(const Model<D>& model, const FluidState<D>& fluid, Workspace<
 }  // namespace
 
 template <int D>
-void prepare_forces(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, double dt) {
+void prepare_forces(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work) {
   const FluidConstants constants = constants_of(model);
   for_batches(fluid.clusters.size(), [&](std::size_t begin, std::size_t end) {
     fluid_kernels<D>().corrected_sums(begin, end, fluid.clusters.data(), work.sums.data(), work.rows.data(),
@@ -123,11 +123,10 @@ void prepare_forces(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& w
       const Mat<D> B = lane_matrix<D>(own.B, lane);
       const Vec<D> G = lane_vector<D>(own.G, lane) + 2.0 * B * lane_vector<D>(own.wall, lane);
       lane_assign<D>(own.G, lane, G);
-      const double slow = model.options.viscosity * around.friction[lane];
-      const Vec<D> viscous = lane_vector<D>(work.sums[c].viscous, lane) - slow * lane_vector<D>(own.v, lane);
+      const Vec<D> viscous = lane_vector<D>(work.sums[c].viscous, lane);
       const bool filled = fluid.filled[8 * c + lane];
       const Vec<D> gravity = filled ? model.options.gravity : Vec<D>(Vec<D>::Zero());
-      lane_assign<D>(own.prior, lane, Vec<D>(viscous / (1.0 + dt * slow) + gravity));
+      lane_assign<D>(own.prior, lane, Vec<D>(viscous + gravity));
       const Vec<D> open = lane_vector<D>(around.open_flux, lane);
       lane_assign<D>(around.shift, lane, Vec<D>(-zeta_h2 * (seen(own, work.sums[c], lane) + 2.0 * B * open)));
     }
@@ -138,7 +137,7 @@ void prepare_forces(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& w
 #define OSTIUM_INSTANTIATE(D)                                                          \
   template void correct_density(const Model<D>&, FluidState<D>&, const Workspace<D>&); \
   template void correct_gradients(const Model<D>&, FluidState<D>&, Workspace<D>&);     \
-  template void prepare_forces(const Model<D>&, FluidState<D>&, Workspace<D>&, double);
+  template void prepare_forces(const Model<D>&, FluidState<D>&, Workspace<D>&);
 OSTIUM_INSTANTIATE(2)
 OSTIUM_INSTANTIATE(3)
 

@@ -1,13 +1,14 @@
 /// The preparation of an advection step (docs/theory/fluid.md, "One advection step", A), in this order:
 ///
-///   freeze, find_zones, look_around, kernel_sums    workspace.hpp
-///   correct_density    psi <- psi + theta (sigma/sigma_0 - 1 - psi), sigma = sum W V + filling      writes
-///   psi correct_gradients  B = M^-1, M = -sum r (x) grad W V + outside moments; wall friction rate writes B,
-///   friction prepare_forces     G, viscous and wall acceleration, transport shift, drive of the ports writes
-///   G, prior, shift
+///   freeze, find_zones, look_around, kernel_sums    see workspace.hpp
+///   correct_density     psi <- psi + theta (sigma/sigma_0 - 1 - psi), sigma = sum W V + filling
+///                       writes psi
+///   correct_gradients   B = M^-1, M = -sum r (x) grad W V + outside moments; rate of the wall friction
+///                       writes B, friction
+///   prepare_forces      viscous acceleration, transport shift, what pressure acts on, drive of the ports
+///                       writes G, prior, shift, drive
 ///
-/// Density is left alone where the support ends (within reach of an outer face) and where the flow is
-/// prescribed.
+/// Density is left alone where the support ends (within reach of an outer face) and where flow is prescribed.
 #pragma once
 #include "sph3d/step/state.hpp"
 #include "sph3d/step/workspace.hpp"
@@ -19,6 +20,6 @@ void correct_density(const Model<D>& model, FluidState<D>& fluid, const Workspac
 template <int D>
 void correct_gradients(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work);
 template <int D>
-void prepare_forces(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, double dt);
+void prepare_forces(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work);
 
 }  // namespace ostium::sph3d

@@ -70,6 +70,15 @@ void find_zones(const Model<D>& model, const FluidState<D>& state, Workspace<D>&
 }
 
 template <int D>
+WallSample<D> beyond_face(const Model<D>& model, int k, const Vec<D>& x, const WallSample<D>& wall) {
+  const double s = model.ducts[k].depth(x);
+  if (s >= model.reach()) return {};
+  const double beyond = model.half_space.filling(s), left = 1.0 - wall.filling;
+  return {beyond * left,
+          model.half_space.flux(s) * left * model.ducts[k].opening().normal - beyond * wall.flux};
+}
+
+template <int D>
 void look_around(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
   work.around.resize(state.clusters.size());
 #pragma omp parallel for schedule(static)
@@ -80,20 +89,10 @@ void look_around(const Model<D>& model, FluidState<D>& state, Workspace<D>& work
       const WallSample<D> wall = state.filled[i] ? model.wall(state.position[i]) : WallSample<D>{};
       around.filling[lane] = static_cast<float>(wall.filling);
       for (int d = 0; d < D; ++d) state.clusters[c].wall[d][lane] = static_cast<float>(wall.flux[d]);
-      double open = 0;
-      Vec<D> open_flux = Vec<D>::Zero();
-      if (const int k = work.duct_of[i]; k >= 0) {
-        // the product of two half-spaces; its exact gradient keeps filling and flux consistent at the rim
-        const Duct<D>& duct = model.ducts[k];
-        const double s = duct.depth(state.position[i]);
-        const double beyond = s < model.kernel.reach() ? model.half_space.filling(s) : 0.0;
-        open = beyond * (1.0 - wall.filling);
-        if (beyond > 0.0)
-          open_flux =
-              model.half_space.flux(s) * (1.0 - wall.filling) * duct.opening().normal - beyond * wall.flux;
-      }
-      around.open_filling[lane] = static_cast<float>(open);
-      for (int d = 0; d < D; ++d) around.open_flux[d][lane] = static_cast<float>(open_flux[d]);
+      const int k = work.duct_of[i];
+      const WallSample<D> open = k < 0 ? WallSample<D>{} : beyond_face(model, k, state.position[i], wall);
+      around.open_filling[lane] = static_cast<float>(open.filling);
+      for (int d = 0; d < D; ++d) around.open_flux[d][lane] = static_cast<float>(open.flux[d]);
     }
   }
 }
@@ -110,11 +109,12 @@ void kernel_sums(const Model<D>& model, FluidState<D>& state, Workspace<D>& work
                  work.place.data(), constants);
 }
 
-#define OSTIUM_INSTANTIATE(D)                                                     \
-  template FluidConstants constants_of(const Model<D>&);                          \
-  template void freeze(const Model<D>&, FluidState<D>&, Workspace<D>&);           \
-  template void find_zones(const Model<D>&, const FluidState<D>&, Workspace<D>&); \
-  template void look_around(const Model<D>&, FluidState<D>&, Workspace<D>&);      \
+#define OSTIUM_INSTANTIATE(D)                                                                    \
+  template FluidConstants constants_of(const Model<D>&);                                         \
+  template void freeze(const Model<D>&, FluidState<D>&, Workspace<D>&);                          \
+  template void find_zones(const Model<D>&, const FluidState<D>&, Workspace<D>&);                \
+  template WallSample<D> beyond_face(const Model<D>&, int, const Vec<D>&, const WallSample<D>&); \
+  template void look_around(const Model<D>&, FluidState<D>&, Workspace<D>&);                     \
   template void kernel_sums(const Model<D>&, FluidState<D>&, Workspace<D>&);
 OSTIUM_INSTANTIATE(2)
 OSTIUM_INSTANTIATE(3)

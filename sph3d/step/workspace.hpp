@@ -15,11 +15,10 @@ namespace ostium::sph3d {
 ///   filling        share of the kernel support in the wall                                 -
 ///   open_filling   share beyond the outer face of a duct                                   -
 ///   open_flux      its gradient, out of the vessel                                         1/m
-///   friction       rate at which the wall slows the particle, over nu                      1/m2
 ///   shift          transport shift                                                         m
 template <int D>
 struct alignas(64) ClusterSurroundings {
-  float filling[8], open_filling[8], open_flux[D][8], friction[8], shift[D][8];
+  float filling[8], open_filling[8], open_flux[D][8], shift[D][8];
 };
 
 /// The particles in a duct, in the order of memory.
@@ -53,6 +52,11 @@ void freeze(const Model<D>& model, FluidState<D>& state, Workspace<D>& work);
 /// Which particles stand in which duct.
 template <int D>
 void find_zones(const Model<D>& model, const FluidState<D>& state, Workspace<D>& work);
+
+/// What lies beyond the outer face of duct k, as seen from x: the product of that half-space with what the wall leaves.
+/// Its flux is the exact gradient, so that filling and flux agree at the rim.
+template <int D>
+WallSample<D> beyond_face(const Model<D>& model, int k, const Vec<D>& x, const WallSample<D>& wall);
 
 /// Filling by walls and by the outside of the openings, for every particle.
 template <int D>

@@ -5,8 +5,8 @@
 ///   Z_k   Pa.s/m3  impedance of the network at port k;  w1  rad/s  heart frequency
 ///   U     m/s      largest mean velocity expected;  dp  Pa  largest pressure difference inside the vessel
 ///
-/// Only these weights keep several outlets passive (with equal ones some parameter sets grow, with all weight on one
-/// outlet many do). Every port whose pressure answers its flow counts, an inlet driven by a heart included; ports of
+/// Of all weights these keep several outlets most surely passive (equal ones let some parameter sets grow, all
+/// weight on one outlet many). Every port whose pressure answers its flow counts, an inlet driven by a heart included; ports of
 /// prescribed flow have weight 0. Weights may be renewed at any time: the datum stays continuous.
 /// Source: docs/theory, moving datum. Not checked: that the vessel is rigid; a compliant wall must be given the datum
 /// back as a load.

@@ -6,8 +6,7 @@
 ///   port flows      q_k(t, p, y, dy/dt),       from the node of port k into the block, m3/s
 ///
 ///   p_k  Pa   pressure of the node at port k, or the fixed pressure of a grounded port
-///   y_i       flows (m3/s), pressures (Pa) or volumes (m3) that belong to the block; differential or
-///   algebraic
+///   y_i       flows (m3/s), pressures (Pa) or volumes (m3) of the block's own; differential or algebraic
 ///
 /// A new block is one header that declares a struct (lumped/element.hpp says what it must have), one line in
 /// lumped/registry.cpp, one test. Not checked here: anything about the graph (network/graph does).

@@ -5,9 +5,9 @@
 ///     static constexpr auto type = "resistor";
 ///     static constexpr std::array unknowns{Unknown{"q", Quantity::flow}};
 ///     static constexpr Nature nature = Nature::resistive;
-///     template <class T> void equations(const In<Resistor, T>& x, Out<Resistor, T>& f) const;   // the
-///     physics, once std::vector<Terminal> terminals() const;          // throws UserError where from/to make
-///     no sense
+///     template <class T>                                // the physics, written once
+///     void equations(const In<Resistor, T>& x, Out<Resistor, T>& f) const;
+///     std::vector<Terminal> terminals() const;          // UserError where from/to make no sense
 ///   };
 ///   void declare(config::Fields<Resistor>&);            // names, units, ranges, documentation of the fields
 ///

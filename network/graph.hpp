@@ -2,14 +2,14 @@
 ///
 ///   node      a name that terminals of blocks share; one pressure, flows sum to zero
 ///   ground    a terminal without a node: fixed pressure
-///   opening   a node where the vessel adds its flow; where a single flow source stands there, the vessel
-///   takes what
-///             it sends and the node leaves the network
+///   opening   a node where the vessel adds its flow; where a single flow source stands, the vessel takes what
+///             that sends and the node leaves the network
 ///
 /// Refused, each with the remedy: opening without a block, node with a single block, velocity away from an
 /// opening, several flow sources with nobody to take the difference, no pressure reference, pressure sources
 /// against each other, and the two causes of index 2 (Ascher & Petzold 1998, ch. 9): nodes tied by inductors
-/// and prescribed flows only, loops of capacitors and pressure sources. Not checked: plausible values.
+/// and prescribed flows only, loops of capacitors and pressure sources.
+/// Not checked: plausible values.
 #pragma once
 #include <string>
 #include <vector>

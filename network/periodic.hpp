@@ -2,8 +2,9 @@
 ///
 ///   x(T) = M x(0) + g,   x* = (I - M)^-1 g,   M = dx(T)/dx(0)  (monodromy)
 ///
-///   x  differential unknowns;  T  period, s;  M  from the linearised network (exact where the network is
-///   linear), else Newton shooting with it as the Jacobian
+///   x  differential unknowns
+///   T  period, s
+///   M  e^{AT} of a linear network, else by differences: Newton's shooting
 ///
 /// With a vessel, all openings are merged into one node for this (an ideal junction: a rigid vessel without
 /// losses), so the resistances decide the split of the flow. Source: Guckenheimer & Holmes 1983, sec. 1.5

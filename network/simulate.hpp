@@ -1,4 +1,8 @@
 /// Runs a network alone and hands out its series at the wanted times.
+///
+///   t = 0, every, 2 every, .. end     s;  values in the order of Network::series_names, SI
+///
+/// Not checked: that `every` resolves the signal; the integrator's own steps do not depend on it.
 #pragma once
 #include <functional>
 #include <span>

@@ -4,7 +4,7 @@
 ///
 ///   P_ref   Pa   datum; the solver works with p', every output with p = p' + P_ref
 ///   P_k     Pa   pressure of port k
-///   w_k     -    weights, sum 1, in proportion to 1/|Z_k| (the only ones that keep several outlets passive)
+///   w_k     -    weights, sum 1, in proportion to 1/|Z_k| (best for several outlets)
 ///   p_b     Pa   background: what p' is about at rest, large enough that p' stays positive
 ///   tau_D   s    2 to 5 ms: the storage of the fluid is reduced by omega tau_D
 ///

@@ -11,7 +11,11 @@ Case read_case(const std::filesystem::path& file, const Overrides& overrides) {
   if (overrides.surface)
     node = node.with_value("vessel.surface", config::to_yaml(config::write_path(*overrides.surface)));
   for (const auto& [path, value] : overrides.values) node = node.with_value(path, value);
-  return config::read<Case>(node);
+  const Case study = config::read<Case>(node);
+  if (study.network.initial == network::Initial::periodic && !study.time.period)
+    study.origin.at("network").at("initial").error(
+        "a start from the periodic state needs \"time.period\"; add it, or choose \"rest\"");
+  return study;
 }
 
 std::string case_name(const std::filesystem::path& file) {

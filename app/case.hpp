@@ -58,7 +58,7 @@ enum class Scheme { linearised, held, extrapolated, modified_euler };
 
 struct CouplingCase {
   Scheme scheme = Scheme::linearised;
-  std::optional<double> exchange, filter_time;  // s
+  std::optional<double> exchange, filter_time, datum_time;  // s
   bool force = false;
 };
 

@@ -111,6 +111,10 @@ void declare(config::Fields<CouplingCase>& f) {
        "filter_time", &CouplingCase::filter_time, "s",
        "time constant that separates the fast part of an opening's flow; without it chosen from the step")
       .positive();
+  f.quantity("datum_time", &CouplingCase::datum_time, "s",
+             "time constant of the moving pressure datum, which keeps the fluid's artificial compressibility from "
+             "storing blood; 0 turns it off, without it chosen from the vessel")
+      .non_negative();
   f.flag("force", &CouplingCase::force, "run even where the stability numbers forbid it").or_else(false);
 }
 
@@ -148,7 +152,7 @@ void declare(config::Fields<NumericsCase>& f) {
            "share of the summed density in each re-initialisation")
       .at_least(0)
       .at_most(1)
-      .or_else(1);
+      .or_else(0.2);
   f.quantity("reference_speed", &NumericsCase::reference_speed, "m/s",
              "velocity that bounds the advection step from above; without it chosen from the inflow")
       .positive();
@@ -160,7 +164,7 @@ void declare(config::Fields<Case>& f) {
   f.section("fluid", &Case::fluid, "the blood");
   f.section("network", &Case::network, "the circulation beyond the openings");
   f.section("coupling", &Case::coupling, "how vessel and network talk to each other");
-  f.section("time", &Case::time, "how long to run");
+  f.section("time", &Case::time, "how long to run").required();
   f.section("output", &Case::output, "what is written");
   f.section("numerics", &Case::numerics, "advanced: numbers of the methods");
   f.origin(&Case::origin);

@@ -19,7 +19,8 @@ std::string duration(double seconds) {
 std::string openings_of(const sph3d::Lumen<3>& lumen) { return sph3d::describe(lumen); }
 
 std::string openings_of(const sph3d::Lumen<2>& lumen) {
-  std::string text;
+  std::string text =
+      fmt::format("lumen {:.4g} cm2, wall {:.4g} cm\n", 1e4 * lumen.volume, 1e2 * lumen.wall_area);
   for (const auto& o : lumen.openings)
     text += fmt::format("  {:<12} {:>8.4g} mm wide at ({:.4g}, {:.4g}) mm\n", o.name, 1e3 * o.area,
                         1e3 * o.centre.x(), 1e3 * o.centre.y());
@@ -29,9 +30,7 @@ std::string openings_of(const sph3d::Lumen<2>& lumen) {
 template <int D>
 std::string vessel_part(const Case& study, int threads) {
   const Setup<D> s = set_up<D>(study);
-  std::string text = fmt::format("vessel    {:.5g} {}, {} openings\n", s.lumen.volume * (D == 3 ? 1e6 : 1e4),
-                                 D == 3 ? "mL" : "cm2", s.lumen.openings.size());
-  text += openings_of(s.lumen);
+  std::string text = openings_of(s.lumen);
   if (!text.ends_with('\n')) text += '\n';
   for (std::size_t k = 0; k < s.ports.size(); ++k)
     text += fmt::format("  {:<12} {}\n", s.ports[k].opening,
@@ -39,11 +38,8 @@ std::string vessel_part(const Case& study, int threads) {
                             ? fmt::format("flow prescribed by the network, {} profile",
                                           s.profiles[k] == sph3d::Profile::plug ? "plug" : "parabolic")
                             : "pressure of the network");
-  const Estimate e = estimate(study, s, threads);
-  text += fmt::format("particles about {:.3g} at {:.4g} mm, memory about {:.2g} GB\n", e.particles,
-                      1e3 * study.vessel->spacing, e.memory / 1e9);
-  return text + fmt::format("run time  roughly {} on {} cores ({:.2g} acoustic steps)\n", duration(e.wall),
-                            threads, e.steps);
+  for (const auto& line : estimate_lines(study, estimate(study, s, threads), threads)) text += line + "\n";
+  return text;
 }
 
 std::string network_part(const Case& study) {
@@ -51,17 +47,30 @@ std::string network_part(const Case& study) {
   if (!study.vessel) network::Network{model};
   std::string text = fmt::format("network   {} blocks, starts {}\n", model.entries.size(),
                                  study.initial() == network::Initial::periodic ? "periodic" : "at rest");
+  for (const auto& line : network_lines(model)) text += fmt::format("  {}\n", line);
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> network_lines(const network::Model& model) {
+  std::vector<std::string> lines;
   for (const auto& entry : model.entries) {
     std::string ends;
     for (const auto& t : entry.block->terminals())
       ends +=
           fmt::format(" {} {}", t.key, t.grounded() ? fmt::format("ground ({:.4g} Pa)", t.ground) : t.node);
-    text += fmt::format("  {:<12} {:<16}{}\n", entry.name, entry.block->type(), ends);
+    lines.push_back(fmt::format("{:<12} {:<16}{}", entry.name, entry.block->type(), ends));
   }
-  return text;
+  return lines;
 }
 
-}  // namespace
+std::vector<std::string> estimate_lines(const Case& study, const Estimate& e, int threads) {
+  return {fmt::format("particles about {:.3g} at {:.4g} mm, memory about {:.2g} GB", e.particles,
+                      1e3 * study.vessel->spacing, e.memory / 1e9),
+          fmt::format("run time  roughly {} on {} cores ({:.2g} acoustic steps)", duration(e.wall), threads,
+                      e.steps)};
+}
 
 std::string check(const Case& study, int threads) {
   std::string text = study.title.empty() ? "" : study.title + "\n";

@@ -3,9 +3,10 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <thread>
 
+#include "app/case_arguments.hpp"
 #include "app/check.hpp"
+#include "app/commands.hpp"
 #include "app/coupled.hpp"
 #include "app/interrupt.hpp"
 #include "app/schema.hpp"
@@ -16,36 +17,6 @@
 namespace ostium::app {
 namespace {
 
-struct CaseArguments {
-  std::string file, surface;
-  std::vector<std::string> set;
-  int threads = 0;
-
-  Case read() const {
-    Overrides overrides;
-    if (!surface.empty()) overrides.surface = std::filesystem::absolute(surface);
-    for (const auto& text : set) {
-      const auto equals = text.find('=');
-      if (equals == std::string::npos)
-        user_error("--set {}: expected KEY=VALUE, for example --set time.cycles=1", text);
-      overrides.values.emplace_back(text.substr(0, equals), text.substr(equals + 1));
-    }
-    return read_case(file, overrides);
-  }
-  int thread_count() const {
-    return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  }
-};
-
-void add_case_arguments(CLI::App& command, CaseArguments& a) {
-  command.add_option("case", a.file, "case file (YAML)")->required();
-  command.add_option("--surface", a.surface, "read the vessel's surface from this file instead");
-  command.add_option("--set", a.set, "change a value of the case: KEY=VALUE, such as time.cycles=1")
-      ->allow_extra_args(false);
-  command.add_option("--threads", a.threads, "number of threads; default: all")
-      ->check(CLI::NonNegativeNumber);
-}
-
 void add_run(CLI::App& program, int& code) {
   auto* command = program.add_subcommand("run", "run a case and write its results folder");
   struct Arguments : CaseArguments {
@@ -53,7 +24,7 @@ void add_run(CLI::App& program, int& code) {
     bool force = false, quiet = false;
   };
   auto a = std::make_shared<Arguments>();
-  add_case_arguments(*command, *a);
+  a->add_to(*command);
   command->add_option("-o,--output", a->output, "results folder; default: results/CASE");
   command->add_flag("--force", a->force, "replace the results of a finished run");
   command->add_flag("-q,--quiet", a->quiet, "no progress line");
@@ -74,7 +45,7 @@ void add_run(CLI::App& program, int& code) {
 void add_check(CLI::App& program) {
   auto* command = program.add_subcommand("check", "read and check a case, list its openings, run nothing");
   auto a = std::make_shared<CaseArguments>();
-  add_case_arguments(*command, *a);
+  a->add_to(*command);
   command->callback([a] { fmt::print("{}", check(a->read(), a->thread_count())); });
 }
 
@@ -109,6 +80,8 @@ int run_program(int argc, char** argv) {
   int code = exit_ok;
   add_run(program, code);
   add_check(program);
+  add_preview(program);
+  add_geometry(program);
   add_schema(program);
   add_reference(program);
   try {

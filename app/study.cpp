@@ -12,12 +12,6 @@
 namespace ostium::app {
 namespace {
 
-void check_initial(const Case& study) {
-  if (study.initial() == network::Initial::periodic && !study.time.period)
-    study.network.blocks.error(
-        "a start from the periodic state needs \"time.period\"; add it, or choose \"initial: rest\"");
-}
-
 int report(Recorder& recorder, bool stopped, long rows, double end) {
   recorder.finish(stopped ? Status::interrupted : Status::finished, {{"rows", rows}});
   log::info("{}", recorder.table());
@@ -35,7 +29,6 @@ int report(Recorder& recorder, bool stopped, long rows, double end) {
 
 int run_study(const Case& study, const RunOptions& options) {
   const network::Model model = network::read_model(study.network.blocks);
-  check_initial(study);
   const double end = study.time.final();
   std::optional<Recorder> recorder;
   Progress progress({.end = end, .period = study.time.period.value_or(0), .quiet = options.quiet});

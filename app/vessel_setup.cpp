@@ -5,7 +5,6 @@
 
 #include "core/csv.hpp"
 #include "core/log.hpp"
-#include "core/units.hpp"
 #include "sph3d/geometry/polygon.hpp"
 #include "sph3d/geometry/read.hpp"
 
@@ -108,7 +107,7 @@ void check_spacing(const VesselCase& vessel, const Lumen<D>& lumen) {
         across,
         wanted < good_particles_across ? fmt::format("at least {}", wanted)
                                        : fmt::format("{} or more for good flow", wanted),
-        shortest(round_down(1e3 * narrowest / wanted)));
+        fmt::format("{:.2g}", round_down(1e3 * narrowest / wanted)));
   };
   if (across < least_particles_across) spacing_node(vessel).error("{}", sentence(least_particles_across));
   if (across < good_particles_across)

@@ -36,7 +36,8 @@ std::optional<std::string> nearest_name(const std::string& word, const std::vect
   int least = 1 + static_cast<int>(word.size() + 2) / 3;
   for (const auto& candidate : candidates) {
     const int d = edit_distance(lower(word), lower(candidate));
-    if (d < least && d < static_cast<int>(candidate.size())) least = d, nearest = candidate;
+    if (d < least && d < static_cast<int>(std::max(word.size(), candidate.size())))
+      least = d, nearest = candidate;
   }
   return nearest;
 }

@@ -23,7 +23,7 @@ Progress::Progress(Options options)
     : options_(options),
       terminal_(isatty(fileno(options.stream))),
       started_(Clock::now()),
-      printed_(started_ - std::chrono::hours(1)) {}
+      printed_(started_ - std::chrono::hours(terminal_ ? 1 : 0)) {}
 
 Progress::~Progress() { finish(); }
 

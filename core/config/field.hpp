@@ -53,6 +53,11 @@ class Field final : public AnyField<S> {
     fallback_ = std::move(value);
     return *this;
   }
+  /// Must be given, even if nothing in it must.
+  Field& required() {
+    this->info.required = true;
+    return *this;
+  }
   Field& positive() { return above(0); }
   Field& non_negative() { return at_least(0); }
   Field& above(double x) { return low(x, true); }

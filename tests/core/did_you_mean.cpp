@@ -16,6 +16,7 @@ TEST(DidYouMean, NearestIgnoresCaseAndFarNames) {
   EXPECT_EQ(nearest_name("viscosty", {"density", "viscosity"}), "viscosity");
   EXPECT_EQ(nearest_name("RP", {"Rp", "C", "Rd"}), "Rp");
   EXPECT_EQ(nearest_name("xylophone", {"density", "viscosity"}), std::nullopt);
+  EXPECT_EQ(nearest_name("Cc", {"Rp", "C", "Rd"}), "C");
   EXPECT_EQ(nearest_name("a", {"b", "c"}), std::nullopt);
   EXPECT_EQ(nearest_name("anything", {}), std::nullopt);
 }

@@ -71,14 +71,16 @@ TEST(Progress, Line) {
 TEST(Progress, PlainLinesInAPipe) {
   std::FILE* stream = std::tmpfile();
   {
-    Progress progress({.end = 1, .stream = stream, .pipe_interval = 1e3});
-    for (int i = 0; i < 100; ++i) progress.update(0.01 * i, i);
+    Progress often({.end = 1, .stream = stream, .pipe_interval = 0});
+    for (int i = 0; i < 10; ++i) often.update(0.01 * i, i);
+    Progress seldom({.end = 1, .stream = stream, .pipe_interval = 1e3});
+    for (int i = 0; i < 10; ++i) seldom.update(0.01 * i, i);
   }
   std::rewind(stream);
-  char text[256] = {};
+  char text[2048] = {};
   const auto size = std::fread(text, 1, sizeof text - 1, stream);
   std::fclose(stream);
-  EXPECT_EQ(std::count(text, text + size, '\n'), 1);
+  EXPECT_EQ(std::count(text, text + size, '\n'), 10);
   EXPECT_EQ(std::count(text, text + size, '\r'), 0);
 }
 

@@ -22,5 +22,5 @@ add_library(ostium_klu INTERFACE)
 target_include_directories(ostium_klu SYSTEM INTERFACE ${SUITESPARSE_INCLUDE})
 target_link_libraries(ostium_klu INTERFACE ${KLU_LIBRARY})
 
-find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel CommonSystem FiltersCore FiltersSources IOImage IOXML
+find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore FiltersSources IOImage IOXML
                               RenderingCore RenderingFreeType RenderingOpenGL2)

@@ -100,7 +100,7 @@ void write_particles_vtp(const std::filesystem::path& file, std::span<const Vec<
   vtkNew<vtkPolyData> data;
   data->SetPoints(vtk_points<D>(points));
   vtkNew<vtkCellArray> vertices;  // ParaView draws points only where there are cells
-  vertices->InsertNextCell(vtkIdType(points.size()));
+  if (!points.empty()) vertices->InsertNextCell(vtkIdType(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) vertices->InsertCellPoint(vtkIdType(i));
   data->SetVerts(vertices);
   for (const auto& f : fields) add_field(*data->GetPointData(), f, points.size());

@@ -1,7 +1,7 @@
 /// Integrators of a network over an interval without kinks.
 ///
 ///   exact   x(t+h) = e^{Ah} x(t) + int_0^h e^{A(h-s)} g(t+s) ds, linear networks only;
-///           g a cubic through four samples, the interval halved until a fifth sample agrees
+///           g a cubic through four samples, the interval halved until two more samples agree
 ///   ida     SUNDIALS IDA: variable-order BDF, sparse direct solver, exact Jacobian
 ///
 /// Source: Moler & van Loan, SIAM Rev. 45 (2003) 3; van Loan, IEEE TAC 23 (1978) 395; Hindmarsh et al., ACM

@@ -53,14 +53,23 @@ class ExactEngine final : public Engine {
     Eigen::MatrixXd g(x.size(), degree + 1);
     for (int i = 0; i <= degree; ++i) g.col(i) = drive(a + h * i / 3.0, flows);
     const Eigen::MatrixXd c = cubic(g);
-    const Eigen::VectorXd middle = c.col(0) + 0.5 * c.col(1) + 0.125 * c.col(2) + c.col(3) / 48;
-    const double miss = h * (middle - drive(a + 0.5 * h, flows)).lpNorm<Eigen::Infinity>();
-    if (miss > tolerance && depth < deepest) {
+    if (miss(a, h, c, flows) > tolerance && depth < deepest) {
       step(a, a + 0.5 * h, flows, x, depth + 1);
       step(a + 0.5 * h, b, flows, x, depth + 1);
       return;
     }
     x = propagated(x, c * h, h);
+  }
+
+  /// How far the cubic is off between its samples. The places are irrational and not symmetric: a sine can hide from
+  /// those that fit its period, and from the middle.
+  double miss(double a, double h, const Eigen::MatrixXd& c, const Flows& flows) {
+    double worst = 0;
+    for (double s : {0.1835034190722739, 0.6180339887498949}) {
+      const Eigen::VectorXd fit = c.col(0) + s * (c.col(1) + s * (c.col(2) / 2 + s * c.col(3) / 6));
+      worst = std::max(worst, h * (fit - drive(a + s * h, flows)).lpNorm<Eigen::Infinity>());
+    }
+    return worst;
   }
 
   /// dx/dt at x = 0: what sources and port flows do.
@@ -85,7 +94,7 @@ class ExactEngine final : public Engine {
   }
 
   static constexpr double tolerance = 1e-13;  // of the states' scales
-  static constexpr int deepest = 12;
+  static constexpr int deepest = 16;
   const System& system_;
   Consistent& consistent_;
   Eigen::MatrixXd A_;

@@ -211,12 +211,8 @@ void Check::refuse_loop(const std::vector<Edge>& tree, const Edge& last) const {
   user_error(
       "{}: the blocks {} form a loop in which each fixes a pressure difference (a capacitor's is a state), "
       "which makes "
-      "the equations of index 2; put a small resistor in series with one of them{}",
-      entry(last).where, quoted(names(at)),
-      g.junction == Junction::merged
-          ? " (all openings count as one node for the periodic start; starting from rest "
-            "needs no such resistor)"
-          : "");
+      "the equations of index 2; put a small resistor in series with one of them",
+      entry(last).where, quoted(names(at)));
 }
 
 }  // namespace

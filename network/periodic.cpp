@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
+#include "network/closure.hpp"
 #include "network/march.hpp"
 #include "network/state_space.hpp"
 
@@ -17,7 +18,7 @@ namespace {
 class Orbit {
  public:
   Orbit(const Model& model, const std::vector<Port>& ports, double period)
-      : system_(model, ports, Junction::merged), period_(period), no_flow_(ports.size(), 0.0) {
+      : closure_(model, ports), period_(period), no_flow_(closure_.system().ports().size(), 0.0) {
     const auto y = system_.start();
     state_ = {0, {y.begin(), y.end()}, std::vector<double>(y.size(), 0.0), no_flow_};
     space_ = linearise(system_, 0, state_.y.data(), state_.dy.data());
@@ -55,14 +56,8 @@ class Orbit {
 
   const System& system() const { return system_; }
   const State& state() const { return state_; }
-  double flow(int port) const {
-    return system_.flow_through_opening(port, state_.time, state_.y.data(), state_.dy.data());
-  }
-  /// Of the node that stands for the vessel.
-  double pressure() const {
-    const auto& node = system_.graph().port_node;
-    return node.empty() ? 0.0 : state_.y[node[0]];
-  }
+  double flow(int port) const { return closure_.flow(port, state_.time, state_.y.data(), state_.dy.data()); }
+  double pressure() const { return closure_.pressure(state_.y.data()); }
 
  private:
   Eigen::VectorXd states() const {
@@ -111,7 +106,8 @@ class Orbit {
         system_.model().where, system_.names()[system_.differential_unknowns()[at]]);
   }
 
-  System system_;
+  Closure closure_;
+  const System& system_ = closure_.system();
   Consistent consistent_{system_};
   std::unique_ptr<Engine> engine_;
   StateSpace space_;
@@ -154,7 +150,7 @@ State opened(const Orbit& orbit, const System& coupled, const std::vector<double
 Start periodic_start(const Model& model, const std::vector<Port>& ports, double period) {
   if (!(period > 0)) user_error("{}: a periodic start needs a period > 0 s, found {} s", model.where, period);
   const System coupled(model, ports);
-  Orbit orbit(model, ports, period);
+  Orbit orbit(coupled.model(), ports, period);
   orbit.find();
   Start start{};
   start.mean_port_flow.resize(ports.size(), 0.0);

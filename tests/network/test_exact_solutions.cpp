@@ -46,6 +46,23 @@ TEST_P(Exact, WindkesselWithFourierInflow) {
   EXPECT_LT(worst / largest, relative_tolerance());
 }
 
+/// Intervals that fit the source's period, or end where it is odd about their middle, must not fool the integrator.
+TEST_P(Exact, LongIntervalsSeeEveryPeriod) {
+  const double w = 2 * pi / period;
+  const auto Z = Rd / std::complex<double>(1, w * Rd * C);
+  const auto periodic = [&](double t) {
+    return 80e-6 * Rd - 50e-6 * (Z * std::exp(std::complex<double>(0, w * t))).real();
+  };
+  for (double interval : {0.4, 0.8, 1.2, 4.8, 19.2}) {
+    Network n(model(rcr + "in: {type: flow_source, to: A, flow: {fourier: {mean: 80, cos: [-50]}, unit: "
+                          "mL/s, period: 0.8 s}}"),
+              {}, with(GetParam()));
+    run_to(n, interval);
+    const double exact = periodic(interval) - periodic(0) * std::exp(-interval / (Rd * C));
+    EXPECT_NEAR(series(n, "p:out.Pc_Pa"), exact, relative_tolerance() * 1e4) << interval;
+  }
+}
+
 TEST_P(Exact, WindkesselAsPortWithLinearFlow) {
   Network n(model(rcr), {{"A", 1e-4}}, with(GetParam()));
   const double q[] = {10e-6}, q1[] = {70e-6}, dt = 0.05, T = Rd * C, e = std::exp(-dt / T);

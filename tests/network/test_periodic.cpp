@@ -111,6 +111,23 @@ TEST(PeriodicStart, TableWithKinksRepeatsItself) {
   for (size_t i = 0; i < s.state.y.size(); ++i) EXPECT_NEAR(n.save().y[i], s.state.y[i], 1e-11 * 13332);
 }
 
+/// Two openings that each end in a capacitor cannot be one node; the star between them costs 0.1 Pa.
+TEST(PeriodicStart, OpeningsThatFixTheirOwnPressure) {
+  const Model m = model(
+      "heart: {type: flow_source, to: AAo, flow: {fourier: {mean: 90, cos: [-60]}, unit: mL/s, period: 1 "
+      "s}}\n"
+      "ca: {type: capacitor, from: A, C: 2e-9 m3/Pa}\nra: {type: resistor, from: A, ground: 0 Pa, R: 1.5e8 "
+      "Pa.s/m3}\n"
+      "cb: {type: capacitor, from: B, C: 1e-9 m3/Pa}\nrb: {type: resistor, from: B, ground: 0 Pa, R: 3e8 "
+      "Pa.s/m3}\n");
+  const Start s = periodic_start(m, {{"AAo", 4e-4}, {"A", 1e-4}, {"B", 1e-4}}, 1.0);
+  const std::complex<double> Z = 1e8 / std::complex<double>(1, 2 * pi * 1e8 * 3e-9);
+  EXPECT_NEAR(s.pressure, 90e-6 * 1e8 - 60e-6 * Z.real(), 1.0);
+  EXPECT_NEAR(s.mean_port_flow[1], 60e-6, 1e-9);
+  EXPECT_NEAR(s.port_flow[0], -30e-6, 1e-12);
+  EXPECT_NEAR(s.port_flow[0] + s.port_flow[1] + s.port_flow[2], 0, 1e-12);
+}
+
 TEST(PeriodicStart, StoreWithoutAWayOutIsRefused) {
   try {
     periodic_start(

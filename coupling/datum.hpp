@@ -8,7 +8,7 @@
 /// Of all weights these keep several outlets most surely passive (equal ones let some parameter sets grow, all
 /// weight on one outlet many). Every port whose pressure answers its flow counts, an inlet driven by a heart included; ports of
 /// prescribed flow have weight 0. Weights may be renewed at any time: the datum stays continuous.
-/// Source: docs/theory, moving datum. Not checked: that the vessel is rigid; a compliant wall must be given the datum
+/// Source: docs/theory/coupling.md. Not checked: that the vessel is rigid; a compliant wall must be given the datum
 /// back as a load.
 #pragma once
 #include <vector>

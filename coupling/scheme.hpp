@@ -14,7 +14,7 @@
 ///   R   Pa.s/m3  taken over one window (`Network::port_resistance`). Rows are summed because the ports answer one by
 ///                one: the flow of its neighbours reaches a port a window late, and this keeps that stable.
 ///
-/// Flow ports get an empty law. Source: docs/theory, coupling; Zhao, Wu, Kong, Haidn & Hu for the modified
+/// Flow ports get an empty law. Source: docs/theory/coupling.md; Zhao, Wu, Kong, Haidn & Hu for the modified
 /// Euler scheme.
 /// Not checked: stability (coupling/stability does).
 #pragma once

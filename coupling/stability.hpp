@@ -20,7 +20,7 @@
 /// `linearised` is stable for every R and every window; its filter needs filter_time > window, better
 /// >= 5 (window + delay).
 ///
-/// Source: docs/theory, coupling. Not checked: the damping of the fluid (it helps), several acoustic paths.
+/// Source: docs/theory/coupling.md. Not checked: the damping of the fluid (it helps), several acoustic paths.
 #pragma once
 #include <string>
 #include <vector>

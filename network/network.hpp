@@ -8,7 +8,7 @@
 ///
 /// Integrated by SUNDIALS IDA with a sparse direct solver and the exact Jacobian of the blocks, small linear
 /// networks by the matrix exponential; kinks of the sources are exact stop times.
-/// Source: Hindmarsh et al., ACM TOMS 31 (2005) 363; port linearisation: docs/theory, coupling.
+/// Source: Hindmarsh et al., ACM TOMS 31 (2005) 363; port linearisation: docs/theory/coupling.md.
 /// Not checked: that the exchanges resolve the port flows, which go linearly from one to the next.
 #pragma once
 #include <Eigen/Core>

@@ -12,7 +12,7 @@
 /// Implicit port. The port pressure does work through the conjugate flow Q_c; a unit pressure held for dt
 /// changes Q_c by -beta dt. With q_tilde the flow before the port's own kick, the law at the *new* flow reads
 ///   P = (P* + R (q_tilde - q_star)) / (1 + R beta dt),
-/// which takes energy out for every R >= 0 and every dt (docs/theory, implicit port).
+/// which takes energy out for every R >= 0 and every dt (docs/theory/coupling.md).
 ///
 /// Complementary filter. Q_c is the right fast signal but a biased mean; the counted volume flow Q_M is the
 /// right mean but late. So the network is driven by Q_M and only the high-pass part of Q_c acts through the

@@ -9,7 +9,7 @@
 ///   tau_D   s    2 to 5 ms: the storage of the fluid is reduced by omega tau_D
 ///
 /// An incompressible flow in a rigid vessel does not notice a uniform pressure; an artificially compressible
-/// one stores V/(rho c^2) of volume per unit of it, which this removes. Source: docs/theory, moving datum.
+/// one stores V/(rho c^2) of volume per unit of it, which this removes. Source: docs/theory/coupling.md.
 /// Not checked: that tau_D is short against the period and long against the acoustic step.
 #pragma once
 #include <cmath>

@@ -10,12 +10,6 @@
 namespace ostium::app {
 namespace {
 
-std::string duration(double seconds) {
-  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
-}
-
 std::string openings_of(const sph3d::Lumen<3>& lumen) { return sph3d::describe(lumen); }
 
 std::string openings_of(const sph3d::Lumen<2>& lumen) {
@@ -68,8 +62,8 @@ std::vector<std::string> network_lines(const network::Model& model) {
 std::vector<std::string> estimate_lines(const Case& study, const Estimate& e, int threads) {
   return {fmt::format("particles about {:.3g} at {:.4g} mm, memory about {:.2g} GB", e.particles,
                       1e3 * study.vessel->spacing, e.memory / 1e9),
-          fmt::format("run time  roughly {} on {} cores ({:.2g} acoustic steps)", duration(e.wall), threads,
-                      e.steps)};
+          fmt::format("run time  roughly {} on {} cores ({:.2g} acoustic steps)", duration_text(e.wall),
+                      threads, e.steps)};
 }
 
 std::string check(const Case& study, int threads) {

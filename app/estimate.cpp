@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
+
 namespace ostium::app {
 namespace {
 
@@ -10,6 +12,12 @@ constexpr double steps_per_core_second = 2e6, smoothing_ratio = 1.3;
 constexpr double bytes_per_particle = 600, bytes_of_program = 5e7;
 
 }  // namespace
+
+std::string duration_text(double seconds) {
+  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
 
 template <int D>
 Estimate estimate(const Case& study, const Setup<D>& setup, int threads) {

@@ -17,4 +17,7 @@ struct Estimate {
 template <int D>
 Estimate estimate(const Case& study, const Setup<D>& setup, int threads);
 
+/// "45 s", "12 min", "3.5 h"
+std::string duration_text(double seconds);
+
 }  // namespace ostium::app

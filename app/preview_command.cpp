@@ -6,19 +6,34 @@
 #include "app/commands.hpp"
 #include "app/estimate.hpp"
 #include "core/log.hpp"
+#include "lumped/block.hpp"
 #include "sph3d/io/preview.hpp"
 
 namespace ostium::app {
 namespace {
 
+/// "dao: DAo - windkessel": the column is narrow.
+std::string note_of(const network::Entry& entry) {
+  std::string from, to;
+  for (const auto& t : entry.block->terminals()) {
+    if (t.grounded()) continue;
+    (t.key == "from" ? from : to) += t.node;
+  }
+  return fmt::format("{}: {}{}{}", entry.name, from.empty() ? "" : from + " - ", entry.block->type(),
+                     to.empty() ? "" : " - " + to);
+}
+
 template <int D>
 void draw(const Case& study, const std::string& title, int threads, const std::filesystem::path& png) {
   const Setup<D> s = set_up<D>(study);
   const Estimate e = estimate(study, s, threads);
-  sph3d::PreviewOptions options{.title = title, .notes = network_lines(s.model)};
-  options.notes.insert(options.notes.begin(), "Network");
-  options.notes.push_back("");
-  for (const auto& line : estimate_lines(study, e, threads)) options.notes.push_back(line);
+  sph3d::PreviewOptions options{.title = title, .notes = {"Network"}};
+  for (const auto& entry : s.model.entries) options.notes.push_back(note_of(entry));
+  options.notes.insert(
+      options.notes.end(),
+      {"", fmt::format("about {:.3g} particles of {:.3g} mm", e.particles, 1e3 * study.vessel->spacing),
+       fmt::format("memory about {:.2g} GB", e.memory / 1e9),
+       fmt::format("run time roughly {} on {} cores", duration_text(e.wall), threads)});
   sph3d::preview(s.lumen, options, png);
   log::info("written to {}", png.string());
 }

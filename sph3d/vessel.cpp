@@ -21,10 +21,19 @@ Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::ve
   for (std::size_t i = 0; i < state_.fluid.places(); ++i)
     if (state_.fluid.filled[i]) state_.fluid.psi(i) = static_cast<float>(psi);
   state_.ports.resize(lumen.openings.size());
-  for (auto& port : state_.ports) port.pressure = pressure;
+  for (auto& port : state_.ports) port.pressure = port.face_pressure = pressure;
   find_zones(*model_, state_.fluid, work_);
   count_ports(*model_, state_, work_);
   for (auto& port : state_.ports) port.counted_at_start = port.counted;
+}
+
+template <int D>
+void Vessel<D>::start_datum(const PressureDatum& datum) {
+  state_.datum = datum;
+  for (auto& port : state_.ports) {
+    port.cap_pressure = port.face_pressure + datum.reference;
+    port.pressure = port.cap_pressure;
+  }
 }
 
 template <int D>
@@ -32,9 +41,7 @@ StepReport Vessel<D>::advance(double dt_limit, std::span<const Drive> drives, do
   const auto& options = model_->options;
   if (state_.steps % options.reorder_every == 0) state_.fluid.reorder();
   const double dt = time_step(dt_limit);
-  const double dt_acoustic =
-      options.acoustic_cfl * model_->kernel.h / (options.sound_speed + state_.max_speed);
-  const int n = std::max(1, static_cast<int>(std::ceil(dt / dt_acoustic)));
+  const int n = std::max(1, static_cast<int>(std::ceil(dt / acoustic_time_step() - 1e-6)));
 
   freeze(*model_, state_.fluid, work_);
   find_zones(*model_, state_.fluid, work_);
@@ -54,13 +61,19 @@ StepReport Vessel<D>::advance(double dt_limit, std::span<const Drive> drives, do
 }
 
 template <int D>
+double Vessel<D>::acoustic_time_step() const {
+  return model_->options.acoustic_cfl * model_->kernel.h / (model_->options.sound_speed + state_.max_speed);
+}
+
+/// Shortly before the limit the rest is divided evenly, so that no sliver of a step is left.
+template <int D>
 double Vessel<D>::time_step(double dt_limit) const {
   const auto& o = model_->options;
   const double h = model_->kernel.h;
-  const double speed = std::max(
-      {state_.max_speed, std::sqrt(4.0 * h * state_.max_acceleration), o.reference_speed, o.viscosity / h});
-  const double dt = o.advection_cfl * h / speed;
-  return dt < dt_limit ? dt_limit / std::ceil(dt_limit / dt - 1e-9) : dt_limit;
+  const double speed =
+      std::max({state_.max_speed, std::sqrt(4.0 * h * state_.max_acceleration), o.reference_speed, o.viscosity / h});
+  const double dt = std::min(o.advection_cfl * h / speed, o.most_acoustic_steps * acoustic_time_step());
+  return dt_limit < 2.0 * dt ? dt_limit / std::max(1.0, std::ceil(dt_limit / dt - 1e-9)) : dt;
 }
 
 /// The density half step left over by the last acoustic step, and with it the records' pressures.

@@ -46,6 +46,9 @@ class Vessel {
   VesselState<D> save() const { return state_; }
   void load(VesselState<D> state) { state_ = std::move(state); }
 
+  /// The part of the ports' pressures the fluid does not see; must be set before the first step (see PressureDatum).
+  void start_datum(const PressureDatum& datum);
+
   double time() const { return state_.time; }
   double volume_out(int port) const {
     return state_.ports[port].counted - state_.ports[port].counted_at_start;
@@ -57,6 +60,7 @@ class Vessel {
   std::size_t bytes() const;
 
  private:
+  double acoustic_time_step() const;
   double time_step(double dt_limit) const;
   void first_pressures(double dt);
   void acoustic_step(double dt, bool last, std::span<const Drive> drives, double filter_time);

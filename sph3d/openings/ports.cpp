@@ -19,6 +19,14 @@ void set_velocity(FluidState<D>& fluid, Workspace<D>& work, std::int32_t i, cons
   }
 }
 
+/// Inertance of the duct between the cap, where the law holds, and the outer face, where it is imposed; Pa.s2/m3.
+/// Taking it out acts as a negative resistance inertance / filter_time on fast signals: only where the law has more.
+template <int D>
+double duct_inertia(const Model<D>& model, int k, double resistance, double filter_time) {
+  const double inertance = model.options.density * model.ducts[k].length() / model.ducts[k].opening().area;
+  return filter_time > 0.0 && inertance / filter_time < 0.5 * resistance ? inertance : 0.0;
+}
+
 template <int D>
 void drive_by_pressure(const Model<D>& model, VesselState<D>& state, Workspace<D>& work, int k,
                        const Drive& drive, double dt, double filter_time) {
@@ -30,12 +38,16 @@ void drive_by_pressure(const Model<D>& model, VesselState<D>& state, Workspace<D
     q_tilde += V * member.drive * state.fluid.velocity(member.index).dot(n);
     beta += V * member.drive * member.drive / rho;
   }
-  const PortLaw law = port.filter.corrected(drive.law.at(state.time + dt - drive.since));
-  port.pressure = implicit_port_pressure(law, q_tilde, beta * dt);
-  port.conjugate = q_tilde - beta * dt * port.pressure;
+  PortLaw law = port.filter.corrected(state.datum.relative(drive.law.at(state.time + dt - drive.since)));
+  const double inertia = duct_inertia(model, k, drive.law.resistance, filter_time) * port.flow_rate;
+  law.p_star -= inertia;
+  port.face_pressure = implicit_port_pressure(law, q_tilde, beta * dt);
+  port.pressure = port.face_pressure + inertia + state.datum.reference;
+  port.conjugate = q_tilde - beta * dt * port.face_pressure;
   port.filter.step_conjugate(port.conjugate, dt, filter_time);
   for (const auto& member : work.zones[k].members) {
-    const double vn = state.fluid.velocity(member.index).dot(n) - dt * port.pressure / rho * member.drive;
+    const double vn =
+        state.fluid.velocity(member.index).dot(n) - dt * port.face_pressure / rho * member.drive;
     set_velocity<D>(state.fluid, work, member.index, vn * n, dt);
   }
 }
@@ -68,12 +80,15 @@ void drive_by_flow(const Model<D>& model, VesselState<D>& state, Workspace<D>& w
 template <int D>
 void drive_ports(const Model<D>& model, VesselState<D>& state, Workspace<D>& work,
                  std::span<const Drive> drives, double dt, double filter_time) {
+  std::vector<double> pressures;
   for (std::size_t k = 0; k < drives.size(); ++k) {
     if (model.roles[k].flow_driven)
       drive_by_flow(model, state, work, static_cast<int>(k), drives[k], dt);
     else
       drive_by_pressure(model, state, work, static_cast<int>(k), drives[k], dt, filter_time);
+    pressures.push_back(state.ports[k].pressure);
   }
+  state.datum.step(dt, pressures);
 }
 
 template void drive_ports(const Model<2>&, VesselState<2>&, Workspace<2>&, std::span<const Drive>, double,

@@ -82,7 +82,7 @@ void insert(const Model<D>& model, VesselState<D>& state, Workspace<D>& work, in
   state.fluid.velocity(i, Vec<D>(speed * n));
   const double c = model.options.sound_speed;
   state.fluid.psi(i) = static_cast<float>(
-      model.roles[k].flow_driven ? psi : state.ports[k].pressure / (model.options.density * c * c));
+      model.roles[k].flow_driven ? psi : state.ports[k].face_pressure / (model.options.density * c * c));
   state.ports[k].inserted += state.fluid.volume;
   work.zones[k].members.push_back(
       {static_cast<std::int32_t>(i), static_cast<float>(model.ducts[k].depth(x)), 0.0f});
@@ -118,7 +118,9 @@ void count_ports(const Model<D>& model, VesselState<D>& state, Workspace<D>& wor
     }
     PortState& port = state.ports[k];
     port.counted = state.fluid.volume * crossed + port.deleted - port.inserted;
-    if (near_cap > 0) port.cap_pressure = model.options.density * c * c * pressure / near_cap;
+    if (near_cap > 0)
+      port.cap_pressure = model.options.density * c * c * pressure / near_cap + state.datum.reference;
+    if (model.roles[k].flow_driven) port.pressure = port.cap_pressure;
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "sph3d/fluid/fluid_state.hpp"
 #include "sph3d/openings/port_law.hpp"
+#include "sph3d/openings/pressure_datum.hpp"
 
 namespace ostium::sph3d {
 
@@ -20,15 +21,16 @@ struct Drive {
 };
 
 struct PortState {
-  double inserted = 0, deleted = 0;  ///< volumes of the particles made and deleted                         m3
-  double counted = 0;           ///< M = sum V crossed + deleted - inserted, minus its value at start   m3
-  double counted_at_start = 0;  ///< m3
-  double asked = 0;             ///< flow-driven: volume asked to leave so far                         m3
-  double density_trim = 0;      ///< correction of the insertion threshold                             -
-  double flow_scale = 0;        ///< flow-driven: largest recent flow, measure of the trim             m3/s
-  double conjugate = 0;         ///< Q_c after the last acoustic step                                  m3/s
-  double pressure = 0;          ///< imposed at the outer face (pressure-driven)                       Pa
-  double cap_pressure = 0;      ///< mean over the fluid at the cap                                    Pa
+  double inserted = 0, deleted = 0;  ///< volumes of the particles made and deleted                        m3
+  double counted = 0;                ///< M = sum V crossed + deleted - inserted                            m3
+  double counted_at_start = 0;       ///< m3
+  double asked = 0;                  ///< flow-driven: volume asked to leave so far                         m3
+  double flow_scale = 0;             ///< flow-driven: largest recent flow, measure of the trim             m3/s
+  double conjugate = 0;              ///< Q_c after the last acoustic step                                  m3/s
+  double pressure = 0;               ///< of the law (pressure-driven), measured (flow-driven); at the cap  Pa
+  double face_pressure = 0;          ///< imposed at the outer face, relative to the datum                  Pa
+  double cap_pressure = 0;           ///< mean over the fluid at the cap                                    Pa
+  double flow_rate = 0;              ///< slow rate of change of the flow                                   m3/s2
   ComplementaryFilter filter;
 };
 
@@ -36,6 +38,7 @@ template <int D>
 struct VesselState {
   FluidState<D> fluid;
   std::vector<PortState> ports;
+  PressureDatum datum;
   double time = 0;                             ///< s
   double max_speed = 0, max_acceleration = 0;  ///< of the last step, outside the ducts; m/s, m/s2
   std::int64_t steps = 0, acoustic_steps = 0;

@@ -1,0 +1,91 @@
+#include "app/flow_scales.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ostium::app {
+namespace {
+
+constexpr double least_speed = 1e-4;  // m/s, for a case without any prescribed flow
+constexpr int samples = 500;
+
+struct Inflow {
+  double peak = 0, rate = 0;  // m3/s, m3/s2: of all prescribed flows together
+  double speed = 0;           // m/s, mean velocity at the opening
+};
+
+/// Peak velocity over mean velocity of a profile.
+template <int D>
+double peak_factor(sph3d::Profile profile) {
+  return profile == sph3d::Profile::plug ? 1.2 : D == 2 ? 1.5 : 2.0;
+}
+
+template <int D>
+Inflow inflow_of(const Setup<D>& setup, const network::Network& network, double span) {
+  Inflow inflow;
+  double before = 0;
+  for (int i = 0; i <= samples; ++i) {
+    double sum = 0;
+    for (int k = 0; k < network.port_count(); ++k) {
+      if (network.kind(k) != network::PortKind::flow) continue;
+      const double q = std::abs(network.flow_into_vessel(k, span * i / samples));
+      sum += q;
+      inflow.speed = std::max(inflow.speed, peak_factor<D>(setup.profiles[k]) * q / network.port(k).area);
+    }
+    inflow.peak = std::max(inflow.peak, sum);
+    if (i > 0) inflow.rate = std::max(inflow.rate, std::abs(sum - before) * samples / span);
+    before = sum;
+  }
+  return inflow;
+}
+
+/// Share of the inflow that leaves through each opening.
+std::vector<double> shares(const network::Network& network, const std::optional<network::Start>& start) {
+  std::vector<double> share(network.port_count(), 0.0);
+  double sum = 0;
+  for (int k = 0; k < network.port_count(); ++k) {
+    if (network.kind(k) == network::PortKind::flow) continue;
+    share[k] = start ? std::max(start->mean_port_flow[k], 0.0) : network.port(k).area;
+    sum += share[k];
+  }
+  for (double& s : share) s = sum > 0 ? s / sum : 0.0;
+  return share;
+}
+
+template <int D>
+double length_of(const sph3d::Lumen<D>& lumen) {
+  double length = 0;
+  for (const auto& a : lumen.openings)
+    for (const auto& b : lumen.openings) length = std::max(length, (a.centre - b.centre).norm());
+  return length;
+}
+
+}  // namespace
+
+template <int D>
+FlowScales flow_scales(const Case& study, const Setup<D>& setup, const std::optional<network::Start>& start) {
+  const network::Network network(setup.model, setup.ports);
+  const Inflow inflow = inflow_of(setup, network, study.time.period.value_or(study.time.final()));
+  const auto share = shares(network, start);
+  FlowScales scales;
+  double rate = 0;  // m/s2
+  scales.speed = std::max(inflow.speed, least_speed);
+  for (int k = 0; k < network.port_count(); ++k) {
+    const double factor = peak_factor<D>(sph3d::Profile::parabolic) * share[k] / network.port(k).area;
+    scales.speed =
+        std::max(scales.speed, 0.75 * factor * inflow.peak);  // outlets are short of a full parabola
+    rate = std::max(rate, share[k] * inflow.rate / network.port(k).area);
+  }
+  const double rho = study.fluid.density;
+  scales.length = length_of(setup.lumen);
+  scales.sound_speed = study.fluid.sound_speed.value_or(10.0 * scales.speed);
+  scales.inner_pressure = 0.5 * rho * scales.speed * scales.speed + rho * scales.length * rate;
+  scales.datum_time = std::clamp(2.0 * scales.length / (pi * scales.sound_speed), 2e-3, 10e-3);
+  scales.background = scales.inner_pressure + scales.datum_time * (start ? start->max_pressure_rate : 0.0);
+  return scales;
+}
+
+template FlowScales flow_scales(const Case&, const Setup<2>&, const std::optional<network::Start>&);
+template FlowScales flow_scales(const Case&, const Setup<3>&, const std::optional<network::Start>&);
+
+}  // namespace ostium::app

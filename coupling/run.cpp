@@ -1,0 +1,168 @@
+#include "coupling/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "coupling/datum.hpp"
+
+namespace ostium::coupling {
+
+namespace {
+
+constexpr double flow_window = 2e-3;  // s, over which a port's flow is read
+
+std::vector<sph3d::OpeningRole> roles_of(const network::Network& network,
+                                         const std::vector<sph3d::Profile>& profiles) {
+  std::vector<sph3d::OpeningRole> roles;
+  for (int k = 0; k < network.port_count(); ++k)
+    roles.push_back({network.kind(k) == network::PortKind::flow, profiles[k]});
+  return roles;
+}
+
+/// The longest way between two openings.
+template <int D>
+double length_of(const sph3d::Lumen<D>& lumen) {
+  double length = 0;
+  for (const auto& a : lumen.openings)
+    for (const auto& b : lumen.openings) length = std::max(length, (a.centre - b.centre).norm());
+  return length;
+}
+
+template <int D>
+VesselNumbers numbers_of(const sph3d::Model<D>& model) {
+  return {.density = model.options.density,
+          .sound_speed = model.options.sound_speed,
+          .volume = model.domain.volume,
+          .length = length_of(model.lumen)};
+}
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+template <int D>
+CoupledRun<D>::CoupledRun(const sph3d::Lumen<D>& lumen, const sph3d::FluidOptions<D>& fluid,
+                          const std::vector<sph3d::Profile>& profiles, network::Network network,
+                          const std::optional<network::Start>& begin, const CoupledOptions& options)
+    : options_(options),
+      network_(std::move(network)),
+      vessel_(lumen, fluid, roles_of(network_, profiles), options.background, options.progress),
+      scheme_(make_scheme(options.scheme, network_)),
+      drives_(network_.port_count()) {
+  const double omega1 = options.period > 0 ? 2.0 * pi / options.period : 0.0;
+  const double window =
+      std::max(options.exchange, fluid.advection_cfl * 1.3 * fluid.dp / fluid.reference_speed);
+  stability_ = stability_numbers(
+      network_, numbers_of(vessel_.model()),
+      {.window = window, .filter_time = options.filter_time, .delay = 4.0 * fluid.dp / fluid.sound_speed},
+      omega1);
+  warnings_ = check_stability(stability_, options.scheme, options.force);
+  start(begin);
+}
+
+template <int D>
+void CoupledRun<D>::start(const std::optional<network::Start>& begin) {
+  if (begin) network_.load(begin->state);
+  const double omega1 = options_.period > 0 ? 2.0 * pi / options_.period : 0.0;
+  std::vector<double> pressures;
+  for (int k = 0; k < port_count(); ++k)
+    pressures.push_back(network_.kind(k) == network::PortKind::pressure ? network_.pressure(k) : 0.0);
+  sph3d::PressureDatum datum{.background = options_.background,
+                             .tau = options_.datum_time,
+                             .weights = datum_weights(network_, omega1)};
+  datum.start(pressures);
+  vessel_.start_datum(datum);
+  const double window = std::max(options_.exchange, 1e-9);
+  const Laws laws = scheme_->start(network_, window);
+  for (int k = 0; k < port_count(); ++k) {
+    drives_[k].law = laws[k];
+    vessel_.port(k).filter = sph3d::ComplementaryFilter::started_at(0.0);
+    volume_at_exchange_.push_back(vessel_.volume_out(k));
+  }
+  update_drives();
+  remember_flows();
+}
+
+template <int D>
+void CoupledRun<D>::update_drives() {
+  constexpr double dt = 1e-6;  // s, of the slope of a prescribed flow
+  const double t = time(), rising = options_.ramp > 0 ? std::min(t / options_.ramp, 1.0) : 1.0;
+  const double share = 0.5 * (1.0 - std::cos(pi * rising));
+  for (int k = 0; k < port_count(); ++k) {
+    if (network_.kind(k) != network::PortKind::flow) continue;
+    const double now = network_.flow_into_vessel(k, t);
+    drives_[k].since = t;
+    drives_[k].flow_in = share * now;
+    drives_[k].flow_slope = rising < 1.0 ? 0.0 : (network_.flow_into_vessel(k, t + dt) - now) / dt;
+  }
+}
+
+template <int D>
+double CoupledRun<D>::next_stop(double t_end) const {
+  return options_.exchange > 0 ? std::min(t_end, last_exchange_ + options_.exchange) : t_end;
+}
+
+template <int D>
+sph3d::StepReport CoupledRun<D>::step(double t_end) {
+  update_drives();
+  const double stop = next_stop(t_end);
+  const auto report = vessel_.advance(stop - time(), drives_, options_.filter_time);
+  remember_flows();
+  if (options_.exchange <= 0 || time() >= stop - 1e-9 * std::max(stop, 1.0)) exchange();
+  return report;
+}
+
+template <int D>
+void CoupledRun<D>::exchange() {
+  const double begin = seconds(), window = time() - last_exchange_;
+  std::vector<double> mean_flow;
+  for (int k = 0; k < port_count(); ++k) {
+    mean_flow.push_back((vessel_.volume_out(k) - volume_at_exchange_[k]) / window);
+    volume_at_exchange_[k] = vessel_.volume_out(k);
+  }
+  const Laws laws = scheme_->exchange(network_, window, mean_flow);
+  last_exchange_ = time();
+  for (int k = 0; k < port_count(); ++k) {
+    auto& port = vessel_.port(k);
+    const double before = port.filter.q_counted;
+    port.filter.step_counted(mean_flow[k], window, options_.filter_time);
+    port.flow_rate = (port.filter.q_counted - before) / window;
+    drives_[k].law = laws[k];
+    drives_[k].since = time();
+  }
+  ++exchanges_;
+  network_seconds_ += seconds() - begin;
+}
+
+template <int D>
+void CoupledRun<D>::remember_flows() {
+  Sample sample{time(), {}};
+  for (int k = 0; k < port_count(); ++k) sample.volume.push_back(vessel_.volume_out(k));
+  recent_.push_back(std::move(sample));
+  while (recent_.size() > 2 && recent_[1].time <= time() - flow_window) recent_.erase(recent_.begin());
+}
+
+template <int D>
+PortReading CoupledRun<D>::port(int k) const {
+  const Sample &first = recent_.front(), &last = recent_.back();
+  const double span = last.time - first.time;
+  return {.flow_out = span > 0 ? (last.volume[k] - first.volume[k]) / span : 0.0,
+          .pressure = vessel_.state().ports[k].pressure,
+          .volume_out = vessel_.volume_out(k)};
+}
+
+template <int D>
+double CoupledRun<D>::volume_inside() const {
+  const auto& state = vessel_.state();
+  double volume = static_cast<double>(state.fluid.count()) * state.fluid.volume;
+  for (const auto& port : state.ports) volume -= port.counted - port.deleted + port.inserted;
+  return volume;
+}
+
+template class CoupledRun<2>;
+template class CoupledRun<3>;
+
+}  // namespace ostium::coupling

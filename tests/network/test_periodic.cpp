@@ -99,6 +99,36 @@ TEST(PeriodicStart, StartsTheCoupledNetworkWithoutTransient) {
   EXPECT_LT(worst, 2e-5 * s.max_pressure);  // linear pieces of the flow: second order in dt
 }
 
+/// A patient's aorta with published Windkessels; its mean pressure is 84.1 mL/s over five beds in parallel.
+TEST(PeriodicStart, AortaOfAPatient) {
+  const Rcr beds[] = {{"LCCA", 7.13e7, 8.26e-10, 1.20e9},
+                      {"RCCA", 7.13e7, 8.26e-10, 1.20e9},
+                      {"LSA", 6.02e7, 9.79e-10, 1.01e9},
+                      {"RSA", 6.89e7, 8.55e-10, 1.16e9},
+                      {"DAo", 9.80e6, 6.02e-9, 1.65e8}};
+  std::string yaml =
+      "heart: {type: flow_source, to: AAo, flow: {fourier: {mean: 5.0487, "
+      "cos: [4.5287, -4.3509, -5.8551, -1.5063, 1.2800, 0.9012, 0.0855, -0.0480], "
+      "sin: [-8.0420, -6.2637, 0.7465, 3.5239, 1.6283, -0.1306, -0.2738, -0.0449]}, unit: L/min, period: "
+      "0.66 "
+      "s}}\n";
+  std::vector<Port> openings{{"AAo", 4.5e-4}};
+  for (const auto& b : beds) {
+    yaml +=
+        fmt::format("b{0}: {{type: windkessel, from: {0}, Rp: {1} Pa.s/m3, C: {2} m3/Pa, Rd: {3} Pa.s/m3}}\n",
+                    b.name, b.Rp, b.C, b.Rd);
+    openings.push_back({b.name, 1e-4});
+  }
+  const Start s = periodic_start(model(yaml), openings, 0.66);
+  constexpr double mmHg = 133.322;
+  EXPECT_NEAR(s.mean_pressure / mmHg, 69.8, 0.1);
+  EXPECT_NEAR(s.min_pressure / mmHg, 52.0, 0.1);
+  EXPECT_NEAR(s.max_pressure / mmHg, 98.6, 0.1);
+  const double share[] = {0.0870, 0.0870, 0.1033, 0.0900, 0.6327};
+  for (int k = 0; k < 5; ++k)
+    EXPECT_NEAR(s.mean_port_flow[k + 1] / (5.0487 / 60000), share[k], 1e-4) << beds[k].name;
+}
+
 TEST(PeriodicStart, TableWithKinksRepeatsItself) {
   const std::string yaml =
       "in: {type: flow_source, to: A, flow: {times: [0, 0.1, 0.3, 0.35, 1.0], time_unit: s, "

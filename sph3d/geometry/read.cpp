@@ -6,6 +6,7 @@
 #include "sph3d/geometry/choose.hpp"
 #include "sph3d/geometry/find_openings.hpp"
 #include "sph3d/geometry/repair.hpp"
+#include "sph3d/geometry/self_intersection.hpp"
 
 namespace ostium::sph3d {
 namespace {
@@ -49,6 +50,15 @@ Soup repaired(const SurfaceOptions& options) {
   return soup;
 }
 
+/// Particles follow the sign of the distance, which means nothing where the wall cuts itself.
+void note_self_intersections(const Surface<3>& surface, Notes& notes) {
+  const auto pairs = self_intersections(surface);
+  if (pairs.empty()) return;
+  notes.push_back(
+      fmt::format("{} pairs of triangles cut one another, the first at {}; look at the vessel there",
+                  pairs.size(), place(centroid(surface, pairs.front().first))));
+}
+
 Lumen<3> make_lumen(const SurfaceOptions& options) {
   Soup soup = repaired(options);
   Lumen<3> lumen;
@@ -64,6 +74,7 @@ Lumen<3> make_lumen(const SurfaceOptions& options) {
   lumen.volume = volume(lumen.surface);
   lumen.wall_area = area(lumen.surface, -1);
   lumen.repairs = std::move(soup.notes);
+  note_self_intersections(lumen.surface, lumen.repairs);
   return lumen;
 }
 

@@ -14,8 +14,8 @@
 ///   face id, or name of a face (.facenames beside a VTP, solids of an ASCII STL) where          put before
 ///   the sentence of an error about this choice, such as "case.yaml:7:5: "
 ///
-/// Openings come from the labels of the file where it has any, otherwise from flat regions with a sharp
-/// convex rim. They are sorted by falling area. Not checked: self-intersection.
+/// Openings come from the labels of the file where it has any, otherwise from flat regions with a sharp convex
+/// rim. They are sorted by falling area. Triangles that cut one another are told in Lumen::repairs, not mended.
 #pragma once
 #include <filesystem>
 #include <optional>

@@ -23,12 +23,23 @@ Lattice lattice(const Bounds<3>& box, double cell) {
   return l;
 }
 
+/// f is a distance, or less: far from the surface one value tells the sign of the next nodes too.
+int nodes_told(double f, double cell) { return std::max(0, int(0.8 * std::abs(f) / cell) - 2); }
+
 std::vector<float> sample(const LevelSet& f, const Lattice& l) {
   std::vector<float> value(std::size_t(l.n[0]) * l.n[1] * l.n[2]);
 #pragma omp parallel for schedule(dynamic, 4)
   for (int k = 0; k < l.n[2]; ++k)
     for (int j = 0; j < l.n[1]; ++j)
-      for (int i = 0; i < l.n[0]; ++i) value[l.at(i, j, k)] = float(f(l.node(i, j, k)));
+      for (int i = 0, told = 0; i < l.n[0]; ++i) {
+        if (told-- > 0) {
+          value[l.at(i, j, k)] = value[l.at(i - 1, j, k)];
+          continue;
+        }
+        const double here = f(l.node(i, j, k));
+        value[l.at(i, j, k)] = float(here);
+        told = nodes_told(here, l.cell);
+      }
   return value;
 }
 
@@ -134,8 +145,8 @@ Vec3 gradient(const LevelSet& f, const Vec3& x, double h) {
   return g;
 }
 
-Vec3 onto(const LevelSet& f, Vec3 x, double cell) {
-  for (int step = 0; step < 3; ++step) {
+Vec3 onto(const LevelSet& f, Vec3 x, double cell, int steps) {
+  for (int step = 0; step < steps; ++step) {
     const Vec3 g = gradient(f, x, 1e-3 * cell);
     x -= f(x) / std::max(g.squaredNorm(), 0.25) * g;
   }
@@ -143,14 +154,14 @@ Vec3 onto(const LevelSet& f, Vec3 x, double cell) {
 }
 
 /// Moves every vertex half way to the mean of its neighbours, then back onto the level set.
-void even_out(Surface<3>& s, const LevelSet& f, double cell) {
+void even_out(Surface<3>& s, const LevelSet& f, double cell, int newton_steps) {
   std::vector<Vec3> sum(s.points.size(), Vec3::Zero());
   std::vector<int> count(s.points.size(), 0);
   for (const auto& t : s.facets)
     for (int k = 0; k < 3; ++k) sum[t[k]] += s.points[t[(k + 1) % 3]], ++count[t[k]];
 #pragma omp parallel for
   for (int i = 0; i < int(s.points.size()); ++i)
-    s.points[i] = onto(f, 0.5 * (s.points[i] + sum[i] / std::max(count[i], 1)), cell);
+    s.points[i] = onto(f, 0.5 * (s.points[i] + sum[i] / std::max(count[i], 1)), cell, newton_steps);
 }
 
 }  // namespace
@@ -160,7 +171,7 @@ Surface<3> polygonise(const LevelSet& f, const Bounds<3>& box, double cell) {
   auto value = sample(f, l);
   unpinch(value, l);
   auto surface = nets(value, l);
-  for (int pass = 0; pass < 6; ++pass) even_out(surface, f, cell);
+  for (int pass = 0; pass < 6; ++pass) even_out(surface, f, cell, pass < 5 ? 1 : 3);
   return surface;
 }
 

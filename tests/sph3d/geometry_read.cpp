@@ -201,6 +201,15 @@ TEST(ReadLumen, RoundedSeamsAreJoinedWhenEndsAreCapped) {
   EXPECT_THAT(lumen.repairs, Contains(HasSubstr("64 corners of open edges joined")));
 }
 
+/// One corner of the wall pulled through the opposite wall.
+TEST(ReadLumen, WallsThatCutOneAnotherAreTold) {
+  auto tube = shapes::tube(0.01, 0.1);
+  EXPECT_THAT(read_lumen({.file = write("t.stl", ascii(tube))}).repairs, testing::IsEmpty());
+  tube.points[10 * 64] = Vec3(-0.015, 0, 0.05);
+  EXPECT_THAT(read_lumen({.file = write("t.stl", ascii(tube))}).repairs,
+              Contains(AllOf(HasSubstr("pairs of triangles cut one another"), HasSubstr("mm; look at"))));
+}
+
 TEST(ReadLumen, ClosedWithoutOpeningIsRefused) {
   EXPECT_THAT(refusal({.file = write("sphere.stl", ascii(shapes::sphere(0.01, 4)))}),
               HasSubstr("has no opening"));

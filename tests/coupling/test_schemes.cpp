@@ -135,6 +135,28 @@ TEST(Schemes, LinearisedSumsTheRowOfNeighbours) {
   EXPECT_NEAR(laws[1].resistance, 7e7 + 5e7, 1);
 }
 
+/// Three long lines (Q = Q_wave - P/Zc) into one network whose shared resistor makes every port answer the others.
+/// With the diagonal of R alone each exchange would multiply a common disturbance by -2 * 10/(1 + 10.1).
+TEST(Schemes, NeighboursWithOneSharedResistorConverge) {
+  const double r = 0.1 * Zc, shared = 10 * Zc, wave = 1e-5;
+  std::string yaml = fmt::format("v: {{type: resistor, from: V, ground: 0 Pa, R: {} Pa.s/m3}}\n", shared);
+  for (char port : {'A', 'B', 'D'})
+    yaml += fmt::format("{0}_r: {{type: resistor, from: {0}, to: V, R: {1} Pa.s/m3}}\n", port, r);
+  auto network = network_of(yaml, {{"A", 1e-3}, {"B", 1e-3}, {"D", 1e-3}});
+  auto scheme = make_scheme(SchemeKind::linearised, network);
+  auto laws = scheme->start(network, 1e-3);
+  const double waves[] = {wave, 2 * wave, -0.5 * wave};
+  std::vector<double> Q(3);
+  for (int i = 0; i < 2000; ++i) {
+    for (int k = 0; k < 3; ++k)
+      Q[k] = (waves[k] - (laws[k].p_star - laws[k].resistance * laws[k].q_star) / Zc) /
+             (1 + laws[k].resistance / Zc);
+    laws = scheme->exchange(network, 1e-3, Q);
+  }
+  const double sum = 2.5 * wave / (1 + 0.1 + 30);  // Q_k (1 + 0.1) + 10 sum = wave_k
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(Q[k], (waves[k] - 10 * sum) / 1.1, 1e-9 * wave);
+}
+
 TEST(Schemes, SaveAndLoadGoOnExactly) {
   for (auto kind :
        {SchemeKind::held, SchemeKind::extrapolated, SchemeKind::linearised, SchemeKind::modified_euler}) {

@@ -60,10 +60,10 @@ std::vector<std::string> network_lines(const network::Model& model) {
 }
 
 std::vector<std::string> estimate_lines(const Case& study, const Estimate& e, int threads) {
-  return {fmt::format("particles about {:.3g} at {:.4g} mm, memory about {:.2g} GB", e.particles,
+  return {fmt::format("particles about {} at {:.4g} mm, memory about {:.2g} GB", count_text(e.particles),
                       1e3 * study.vessel->spacing, e.memory / 1e9),
-          fmt::format("run time  roughly {} on {} cores ({:.2g} acoustic steps)", duration_text(e.wall),
-                      threads, e.steps)};
+          fmt::format("run time  roughly {} on {} cores ({} acoustic steps)", duration_text(e.wall), threads,
+                      count_text(e.steps))};
 }
 
 std::string check(const Case& study, int threads) {

@@ -13,6 +13,12 @@ constexpr double bytes_per_particle = 600, bytes_of_program = 5e7;
 
 }  // namespace
 
+std::string count_text(double count) {
+  if (count < 1e4) return fmt::format("{:.0f}", count);
+  return count < 999.5e3 ? fmt::format("{:.3g} thousand", count / 1e3)
+                         : fmt::format("{:.3g} million", count / 1e6);
+}
+
 std::string duration_text(double seconds) {
   if (seconds < 90) return fmt::format("{:.0f} s", seconds);
   if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);

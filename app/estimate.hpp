@@ -17,6 +17,8 @@ struct Estimate {
 template <int D>
 Estimate estimate(const Case& study, const Setup<D>& setup, int threads);
 
+/// "3142", "127 thousand", "1.2 million"
+std::string count_text(double count);
 /// "45 s", "12 min", "3.5 h"
 std::string duration_text(double seconds);
 

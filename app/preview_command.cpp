@@ -31,7 +31,8 @@ void draw(const Case& study, const std::string& title, int threads, const std::f
   for (const auto& entry : s.model.entries) options.notes.push_back(note_of(entry));
   options.notes.insert(
       options.notes.end(),
-      {"", fmt::format("about {:.3g} particles of {:.3g} mm", e.particles, 1e3 * study.vessel->spacing),
+      {"",
+       fmt::format("about {} particles of {:.3g} mm", count_text(e.particles), 1e3 * study.vessel->spacing),
        fmt::format("memory about {:.2g} GB", e.memory / 1e9),
        fmt::format("run time roughly {} on {} cores", duration_text(e.wall), threads)});
   sph3d::preview(s.lumen, options, png);

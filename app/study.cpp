@@ -16,10 +16,8 @@ int report(Recorder& recorder, bool stopped, long rows, double end) {
   recorder.finish(stopped ? Status::interrupted : Status::finished, {{"rows", rows}});
   log::info("{}", recorder.table());
   if (stopped)
-    log::info(
-        "interrupted at {:.4g} of {:.4g} s; what was reached is in {}; run again with a shorter time.end to "
-        "finish",
-        recorder.reached(), end, recorder.folder().path().string());
+    log::info("interrupted at {:.4g} of {:.4g} s; the series up to there are in {}", recorder.reached(), end,
+              recorder.folder().path().string());
   else
     log::info("results in {}", recorder.folder().path().string());
   return stopped ? exit_interrupted : exit_ok;

@@ -71,8 +71,7 @@ void drive_by_flow(const Model<D>& model, VesselState<D>& state, Workspace<D>& w
   port.asked += dt * out;
   port.conjugate = out;
   for (const auto& member : work.zones[k].members)
-    set_velocity<D>(state.fluid, work, member.index,
-                    mean * model.shapes[k](state.fluid.position[member.index]) * opening.normal, dt);
+    set_velocity<D>(state.fluid, work, member.index, mean * member.drive * opening.normal, dt);
 }
 
 }  // namespace

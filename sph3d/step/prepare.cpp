@@ -85,14 +85,29 @@ Vec<D> seen(const Cluster<D>& own, const ClusterSums<D>& sums, std::size_t lane)
   return lane_matrix<D>(own.B, lane) * lane_vector<D>(sums.gradient, lane) + lane_vector<D>(own.G, lane);
 }
 
+/// The shape of the profile at each particle, divided by its mean over the duct in a smooth window: Q = sum V v_n w / int w.
+template <int D>
+void prepare_profile(const Model<D>& model, const FluidState<D>& fluid, Zone<D>& zone, std::size_t k) {
+  const Duct<D>& duct = model.ducts[k];
+  double carried = 0;
+  for (auto& member : zone.members) {
+    member.drive = static_cast<float>(model.shapes[k](fluid.position[member.index]));
+    const double u = member.depth / duct.length();
+    if (u > 0.0 && u < 1.0) carried += member.drive * (1.0 - std::cos(2.0 * pi * u));
+  }
+  const double mean = carried * fluid.volume / (duct.length() * duct.opening().area);
+  if (mean < 0.5) return;  // hardly a particle there
+  for (auto& member : zone.members) member.drive /= static_cast<float>(mean);
+}
+
 template <int D>
 void prepare_zones(const Model<D>& model, const FluidState<D>& fluid, Workspace<D>& work) {
   for (std::size_t k = 0; k < work.zones.size(); ++k) {
     const Vec<D>& normal = model.ducts[k].opening().normal;
+    if (model.roles[k].flow_driven) prepare_profile(model, fluid, work.zones[k], k);
     for (auto& member : work.zones[k].members) {
       const std::size_t c = member.index / 8, lane = member.index % 8;
-      member.drive = 0.0f;
-      if (member.depth < model.reach())
+      if (!model.roles[k].flow_driven && member.depth < model.reach())
         member.drive = static_cast<float>(-seen(fluid.clusters[c], work.sums[c], lane).dot(normal));
       // along the duct the layers arrive in phase with the flow, not with the outer face: no shift that way
       // near it

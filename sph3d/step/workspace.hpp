@@ -27,7 +27,8 @@ struct Zone {
   struct Member {
     std::int32_t index;
     float depth;
-    float drive;  ///< 2 n.B grad(open filling) as the particles see it: what a unit of port pressure does 1/m
+float drive;  ///< pressure-driven: 2 n.B grad(open filling) as the particles see it, what a unit of pressure does, 1/m;
+                  ///< flow-driven: velocity over Q/A, scaled so that the particles of the duct carry exactly Q
   };
   std::vector<Member> members;
 };

@@ -80,7 +80,9 @@ StateSpace linearise(const System& s, double t, const double* y, const double* d
   Eigen::FullPivLU<Eigen::MatrixXd> lu(p.M);
   lu.setThreshold(1e-13);
   if (!lu.isInvertible()) refuse_singular(s, lu);
-  const Eigen::MatrixXd x = -lu.solve(p.N), q = lu.solve(inputs(s, p.row_scale));
+  // No states, no ports: matrices without columns, which the solver is spared.
+  const auto solved = [&](const Eigen::MatrixXd& m) { return m.cols() ? Eigen::MatrixXd(lu.solve(m)) : m; };
+  const Eigen::MatrixXd x = -solved(p.N), q = solved(inputs(s, p.row_scale));
   return {state_rows(s, x), state_rows(s, q), pressure_rows(s, x), pressure_rows(s, q)};
 }
 
@@ -91,6 +93,7 @@ Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& m) {
 
 Eigen::MatrixXd held_flow_response(const StateSpace& s, double dt) {
   const auto n = s.A.rows(), m = s.B.cols();
+  if (n == 0 || m == 0) return s.D;
   Eigen::MatrixXd joined = Eigen::MatrixXd::Zero(n + m, n + m);
   joined.topLeftCorner(n, n) = s.A * dt;
   joined.topRightCorner(n, m) = s.B * dt;
@@ -101,7 +104,7 @@ Eigen::MatrixXcd frequency_response(const StateSpace& s, double omega) {
   const std::complex<double> i(0, 1);
   const auto n = s.A.rows();
   Eigen::MatrixXcd z = s.D.cast<std::complex<double>>();
-  if (n == 0) return z;
+  if (n == 0 || s.B.cols() == 0) return z;
   const Eigen::MatrixXcd resolvent = i * omega * Eigen::MatrixXcd::Identity(n, n) - s.A;
   return z + s.C.cast<std::complex<double>>() * resolvent.fullPivLu().solve(s.B.cast<std::complex<double>>());
 }

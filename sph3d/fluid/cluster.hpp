@@ -65,6 +65,11 @@ struct Rows {
   std::int32_t count;
 };
 
+/// A stretch of particles in the order of the search grid.
+struct Stretch {
+  std::int32_t begin, end;
+};
+
 /// Constants of a step, the same for all clusters.
 struct FluidConstants {
   float c = 0, c2 = 0;       ///< sound speed, its square                       m/s
@@ -93,6 +98,10 @@ struct FluidKernels {
   /// psi advances by `weight` dt (1, or 1/2 at the end of an advection step).
   void (*density)(std::int64_t begin, std::int64_t end, Cluster<D>*, const Rows*, PlaceRecord*,
                   const VelocityRecord*, const FluidConstants&, float dt, float weight);
+  /// Of the particles in these stretches of the grid's order, the indices of those within reach of any of the cluster's
+  /// eight; returns their number. out has room for all of them.
+  std::int32_t (*within_reach)(const Cluster<D>&, const PlaceRecord* in_grid_order, const std::int32_t* index,
+                               const Stretch* stretches, std::int32_t count, std::int32_t* out);
   const char* name;
 };
 

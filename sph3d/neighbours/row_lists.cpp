@@ -32,29 +32,6 @@ Box<D> bounds(const Cluster<D>& cluster, const PlaceRecord* own) {
   return box;
 }
 
-template <int D>
-bool within_reach(const Cluster<D>& cluster, const Box<D>& box, const PlaceRecord& j) {
-  const float* p = &j.x;
-  float outside2 = 0;
-  for (int d = 0; d < D; ++d) {
-    const float o = std::max({box.low[d] - p[d], p[d] - box.high[d], 0.0f});
-    outside2 += o * o;
-  }
-  if (outside2 >= 1.0f) return false;
-  float r2[8];
-  for (int lane = 0; lane < 8; ++lane) {
-    const float dx = cluster.x[0][lane] - p[0], dy = cluster.x[1][lane] - p[1];
-    r2[lane] = dx * dx + dy * dy;
-    if constexpr (D == 3) {
-      const float dz = cluster.x[2][lane] - p[2];
-      r2[lane] += dz * dz;
-    }
-  }
-  float least = r2[0];
-  for (int lane = 1; lane < 8; ++lane) least = r2[lane] < least ? r2[lane] : least;
-  return least < 1.0f;
-}
-
 }  // namespace
 
 template <int D>
@@ -93,6 +70,40 @@ void RowLists<D>::bin(const std::vector<PlaceRecord>& place) {
   std::vector<std::int32_t> next(grid_.first.begin(), grid_.first.end() - 1);
   for (std::size_t i = 0; i < n; ++i)
     if (cell_[i] >= 0) grid_.index[next[cell_[i]]++] = static_cast<std::int32_t>(i);
+  grid_.place.resize(grid_.index.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t k = 0; k < grid_.index.size(); ++k) grid_.place[k] = place[grid_.index[k]];
+}
+
+/// Lines of cells along the first axis that come within reach of the cluster's box, and the stretch of each that does.
+template <int D>
+void RowLists<D>::find_stretches(const Cluster<D>& cluster, const PlaceRecord* own,
+                                 std::vector<Stretch>& stretches) const {
+  stretches.clear();
+  const Box<D> box = bounds(cluster, own);
+  if (box.low[0] > box.high[0]) return;
+  const auto cell = [&](int d, float x) {
+    return std::clamp(static_cast<int>(std::floor((x - grid_.origin[d]) / cell_size)), 0, grid_.cells[d] - 1);
+  };
+  const auto outside = [&](int d, int c) {  // distance between the box and the cells c of direction d
+    const float low = grid_.origin[d] + cell_size * c;
+    return std::max({0.0f, low - box.high[d], box.low[d] - low - cell_size});
+  };
+  const int k_low = D == 3 ? cell(D - 1, box.low[D - 1] - 1) : 0,
+            k_high = D == 3 ? cell(D - 1, box.high[D - 1] + 1) : 0;
+  for (int k = k_low; k <= k_high; ++k) {
+    const float away_k = D == 3 ? outside(D - 1, k) : 0.0f;
+    for (int j = cell(1, box.low[1] - 1); j <= cell(1, box.high[1] + 1); ++j) {
+      const float away_j = outside(1, j), left = 1.001f - away_k * away_k - away_j * away_j;
+      if (left <= 0.0f) continue;
+      const float along = std::sqrt(left);
+      const std::size_t line =
+          (static_cast<std::size_t>(D == 3 ? k * grid_.cells[1] : 0) + j) * grid_.cells[0];
+      const Stretch stretch{grid_.first[line + cell(0, box.low[0] - along)],
+                            grid_.first[line + cell(0, box.high[0] + along) + 1]};
+      if (stretch.begin < stretch.end) stretches.push_back(stretch);
+    }
+  }
 }
 
 template <int D>
@@ -100,6 +111,7 @@ void RowLists<D>::build(const std::vector<Cluster<D>>& clusters, const std::vect
   bin(place);
   const std::int64_t count = static_cast<std::int64_t>(clusters.size());
   const auto none = static_cast<std::int32_t>(place.size() - 1);
+  const auto& kernels = fluid_kernels<D>();
   rows_.resize(clusters.size());
   storage_.resize(omp_get_max_threads());
 #pragma omp parallel
@@ -107,29 +119,21 @@ void RowLists<D>::build(const std::vector<Cluster<D>>& clusters, const std::vect
     const int threads = omp_get_num_threads(), me = omp_get_thread_num();
     const std::int64_t begin = count * me / threads, end = count * (me + 1) / threads;
     std::vector<std::int32_t>& list = storage_[me];
-    list.clear();
     std::vector<std::size_t> offset;
     offset.reserve(end - begin + 1);
+    std::vector<Stretch> stretches;
+    std::size_t size = 0;
     for (std::int64_t c = begin; c < end; ++c) {
-      offset.push_back(list.size());
-      const Box<D> box = bounds(clusters[c], &place[8 * c]);
-      if (box.low[0] > box.high[0]) continue;
-      int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
-      for (int d = 0; d < D; ++d) {
-        low[d] = std::max(0, static_cast<int>(std::floor((box.low[d] - 1.0f - grid_.origin[d]) / cell_size)));
-        high[d] = std::min(grid_.cells[d] - 1,
-                           static_cast<int>((box.high[d] + 1.0f - grid_.origin[d]) / cell_size));
-      }
-      for (int k = low[2]; k <= high[2]; ++k)
-        for (int j = low[1]; j <= high[1]; ++j) {
-          const std::size_t line =
-              (static_cast<std::size_t>(D == 3 ? k * grid_.cells[1] : 0) + j) * grid_.cells[0];
-          for (std::int32_t n = grid_.first[line + low[0]]; n < grid_.first[line + high[0] + 1]; ++n)
-            if (within_reach(clusters[c], box, place[grid_.index[n]])) list.push_back(grid_.index[n]);
-        }
-      if ((list.size() - offset.back()) % 2) list.push_back(none);
+      offset.push_back(size);
+      find_stretches(clusters[c], &place[8 * c], stretches);
+      std::size_t candidates = 2;
+      for (const Stretch& s : stretches) candidates += s.end - s.begin;
+      if (list.size() < size + candidates) list.resize(2 * (size + candidates));
+      size += kernels.within_reach(clusters[c], grid_.place.data(), grid_.index.data(), stretches.data(),
+                                   static_cast<std::int32_t>(stretches.size()), list.data() + size);
+      if ((size - offset.back()) % 2) list[size++] = none;
     }
-    offset.push_back(list.size());
+    offset.push_back(size);
     for (std::int64_t c = begin; c < end; ++c)
       rows_[c] = {list.data() + offset[c - begin],
                   static_cast<std::int32_t>(offset[c - begin + 1] - offset[c - begin])};

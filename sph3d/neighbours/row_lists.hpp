@@ -29,8 +29,11 @@ class RowLists {
     int cells[D];
     std::vector<std::int32_t> first;  // of each cell, then the end
     std::vector<std::int32_t> index;  // particles by cell
+    std::vector<PlaceRecord> place;   // their records in that order
   };
   void bin(const std::vector<PlaceRecord>& place);
+  void find_stretches(const Cluster<D>& cluster, const PlaceRecord* own,
+                      std::vector<Stretch>& stretches) const;
 
   Grid grid_;
   std::vector<std::int32_t> cell_;

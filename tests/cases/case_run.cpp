@@ -1,0 +1,97 @@
+#include "case_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ostium::test {
+
+double Signal::at(double t) const {
+  if (t <= time.front()) return value.front();
+  if (t >= time.back()) return value.back();
+  const auto i = std::upper_bound(time.begin(), time.end(), t) - time.begin();
+  return value[i - 1] + (value[i] - value[i - 1]) * (t - time[i - 1]) / (time[i] - time[i - 1]);
+}
+
+Signal Signal::between(double t0, double t1) const {
+  Signal part{{t0}, {at(t0)}};
+  for (std::size_t i = 0; i < time.size(); ++i)
+    if (time[i] > t0 && time[i] < t1) part.time.push_back(time[i]), part.value.push_back(value[i]);
+  part.time.push_back(t1), part.value.push_back(at(t1));
+  return part;
+}
+
+double Signal::mean() const {
+  double sum = 0;
+  for (std::size_t i = 1; i < time.size(); ++i)
+    sum += 0.5 * (value[i] + value[i - 1]) * (time[i] - time[i - 1]);
+  return sum / (time.back() - time.front());
+}
+
+double Signal::min() const { return *std::min_element(value.begin(), value.end()); }
+double Signal::max() const { return *std::max_element(value.begin(), value.end()); }
+
+double rms_difference(const Signal& a, const Signal& b, double period) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.time.size(); ++i) {
+    const double t = a.time[i] - period * std::floor(a.time[i] / period);
+    sum += std::pow(a.value[i] - b.at(t), 2);
+  }
+  return std::sqrt(sum / static_cast<double>(a.time.size()));
+}
+
+std::map<std::string, PortSignals> read_ports(const std::filesystem::path& file) {
+  std::map<std::string, PortSignals> ports;
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);
+  EXPECT_EQ(line, "time_s,port,flow_out_m3_s,pressure_Pa,volume_out_m3");
+  while (std::getline(stream, line)) {
+    std::istringstream cells(line);
+    std::string time, name, flow, pressure, volume;
+    std::getline(cells, time, ','), std::getline(cells, name, ',');
+    std::getline(cells, flow, ','), std::getline(cells, pressure, ','), std::getline(cells, volume, ',');
+    const auto add = [&](Signal& s, const std::string& value) {
+      s.time.push_back(std::stod(time)), s.value.push_back(std::stod(value));
+    };
+    add(ports[name].flow_out, flow), add(ports[name].pressure, pressure), add(ports[name].volume_out, volume);
+  }
+  return ports;
+}
+
+Signal column(const Table& table, const std::string& name) {
+  const auto at = std::find(table.names.begin(), table.names.end(), name);
+  if (at == table.names.end()) throw std::runtime_error("no column " + name);
+  return {table.columns[0], table.columns[at - table.names.begin()]};
+}
+
+std::filesystem::path CaseRun::geometry(const std::string& shape_and_options) const {
+  const Outcome outcome = ostium("geometry " + shape_and_options + " -o vessel.stl");
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  return folder() / "vessel.stl";
+}
+
+void CaseRun::run(const std::string& name, const std::string& options) {
+  const Outcome outcome = ostium("run '" + case_file(name).string() + "' -q -o results " + options);
+  ASSERT_EQ(outcome.code, 0) << outcome.text;
+  for (const char* file : {"case.effective.yaml", "network.csv", "summary.json", "log.txt"})
+    EXPECT_TRUE(exists(std::string("results/") + file)) << file;
+  EXPECT_EQ(summary()["status"], "finished");
+  EXPECT_EQ(summary()["case"], name);
+  if (exists("results/ports.csv")) expect_vessel_results();
+}
+
+void CaseRun::expect_vessel_results() const {
+  const auto facts = summary();
+  EXPECT_TRUE(exists("results/balance.csv"));
+  const Table balance = read_table(folder() / "results/balance.csv");
+  const Signal volume = column(balance, "volume_inside_m3"), gap = column(balance, "discrepancy_m3");
+  EXPECT_LE(std::max(gap.max(), -gap.min()),
+            1e-12 * volume.max());  // round-off; inflows of short runs are tiny
+  EXPECT_EQ(facts["escaped_particles"].get<int>(), 0);
+  EXPECT_GT(facts["acoustic_steps"].get<long>(), 0);
+  EXPECT_LT(facts["max_density_error"].get<double>(), 0.1);
+  for (const auto& [port, signals] : ports())
+    for (const double p : signals.pressure.value) ASSERT_TRUE(std::isfinite(p)) << port;
+}
+
+}  // namespace ostium::test

@@ -1,0 +1,93 @@
+// Every case in a short and coarse form: it runs, finishes, keeps its mass and writes its files.
+#include <cmath>
+
+#include "case_run.hpp"
+
+namespace ostium::test {
+namespace {
+
+class ShortCase : public CaseRun {};
+
+TEST_F(ShortCase, RcrFourierIsExact) {
+  run("rcr_fourier", "");
+  const Table network = read_table(folder() / "results/network.csv");
+  const Signal pressure = column(network, "p:root_Pa"),
+               exact = column(reference("rcr_fourier"), "pressure_Pa");
+  EXPECT_EQ(pressure.time.size(), 161u);
+  for (std::size_t i = 0; i < pressure.time.size(); ++i)  // both are sampled every 10 ms
+    EXPECT_NEAR(pressure.value[i], exact.value[i % 80], 1e-6 * exact.value[i % 80]) << pressure.time[i];
+}
+
+TEST_F(ShortCase, Poiseuille2d) {
+  run("poiseuille_2d", "--threads 1 --set 'vessel.spacing=0.1 mm' --set 'time.end=0.05 s'");
+  EXPECT_TRUE(exists("results/fields/fluid.pvd"));
+  EXPECT_TRUE(exists("results/fields/wall.pvd"));
+  const auto all = ports();
+  EXPECT_NEAR(all.at("inlet").flow_out.value.back(), -8.3333e-6, 0.05 * 8.3333e-6);
+  EXPECT_NEAR(all.at("outlet").pressure.value.back(), 0.1, 1e-6);
+}
+
+TEST_F(ShortCase, Poiseuille3d) {
+  const auto tube = geometry("tube --radius '0.5 mm' --length '2 mm'");
+  run("poiseuille_3d",
+      "--threads 1 --surface '" + tube.string() + "' --set 'vessel.spacing=0.1 mm' --set 'time.end=45 ms'");
+  EXPECT_NEAR(ports().at("inlet").flow_out.value.back(), -4.9087e-9, 0.05 * 4.9087e-9);
+}
+
+const char* coarse_pipe =
+    " --threads 1 --set 'vessel.spacing=5 mm' --set 'time={period: 1 s, end: 20 ms}' "
+    "--set 'coupling.filter_time=100 ms'";
+
+TEST_F(ShortCase, PipeRcr) {
+  const auto surface = data("pipe_rcr/pipe_exterior.vtp");
+  if (!surface) GTEST_SKIP() << "needs the reference data (vessels/pipe_rcr)";
+  run("pipe_rcr", "--surface '" + surface->string() + "'" + coarse_pipe);
+  const double closed_form = column(reference("pipe_rcr"), "outlet_pressure_Pa").at(0.02);
+  EXPECT_NEAR(ports().at("outlet").pressure.value.back(), closed_form, 300);
+}
+
+TEST_F(ShortCase, PipeRcrSmallCompliance) {
+  const auto surface = data("pipe_rcr/pipe_exterior.vtp");
+  if (!surface) GTEST_SKIP() << "needs the reference data (vessels/pipe_rcr)";
+  run("pipe_rcr_small_compliance", "--surface '" + surface->string() + "'" + coarse_pipe);
+}
+
+TEST_F(ShortCase, AortaArch) {
+  const auto arch = geometry("arch --edge '1.5 mm' --branch-radii '4 4 4 4 4 mm'");
+  run("aorta_arch", "--threads 1 --surface '" + arch.string() +
+                        "' --set 'vessel.spacing=1.95 mm' --set 'time={period: 0.8 s, end: 20 ms}' "
+                        "--set 'output.fields_every=10 ms'");
+  EXPECT_EQ(ports().size(), 7u);
+  EXPECT_TRUE(exists("results/fields/fluid_00001.vtp"));
+}
+
+TEST_F(ShortCase, AortaVmr0024) {
+  const auto surface = data("aorta_vmr0024/aorta_vmr0024.stl");
+  const auto inflow = data("aorta_vmr0024/0154_0001_inflow.txt");
+  if (!surface || !inflow) GTEST_SKIP() << "needs the reference data (vessels/aorta_vmr0024)";
+  run("aorta_vmr0024", "--threads 1 --surface '" + surface->string() +
+                           "' --set 'network.blocks.heart.flow.file=" + inflow->string() +
+                           "' --set 'vessel.spacing=1.25 mm' --set 'time={period: 0.66 s, end: 5 ms}'");
+  EXPECT_EQ(ports().size(), 6u);
+}
+
+TEST_F(ShortCase, BackflowChannel) {
+  run("backflow_channel", "--threads 1 --set time.cycles=1");
+  const auto outlet = ports().at("outlet");
+  const Table exact = reference("backflow_channel");
+  const double amplitude = 2843.6;  // Pa
+  EXPECT_LT(rms_difference(outlet.pressure, column(exact, "outlet_pressure_Pa"), 0.5), 0.05 * amplitude);
+  EXPECT_LT(rms_difference(outlet.flow_out, column(exact, "outlet_flow_m3_s"), 0.5), 0.1 * 6.35e-3);
+}
+
+TEST_F(ShortCase, BackflowBranch) {
+  run("backflow_branch", "--threads 1 --set 'vessel.spacing=0.5 mm' --set time.cycles=1");
+  const auto branch = ports().at("branch");
+  EXPECT_LT(branch.flow_out.min(), 0);  // it fills from its outlet, and drains
+  EXPECT_GT(branch.flow_out.max(), 0);
+  EXPECT_NEAR(branch.flow_out.between(0.1, 0.5).mean(),
+              column(reference("backflow_branch"), "side_flow_m3_s").between(0.1, 0.5).mean(), 0.1e-3);
+}
+
+}  // namespace
+}  // namespace ostium::test

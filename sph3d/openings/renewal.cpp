@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ostium::sph3d {
 
@@ -9,7 +10,7 @@ namespace {
 
 constexpr double window_start = 1.0,
                  window_end = 5.0;  // of the content, in particle spacings from the outer face
-constexpr double room = 0.75;       // free depth, in layers, at which a site takes a particle
+constexpr double brim = 0.75;  // depth to which the duct is kept filled, in layers
 
 /// 1 near the outer face, 0 where the content is no longer looked at.
 double window(double s, double dp) {
@@ -37,7 +38,7 @@ std::vector<double> free_depth(const Model<D>& model, const VesselState<D>& stat
                                int k) {
   const Duct<D>& duct = model.ducts[k];
   const Slice<D>& slice = model.slices[k];
-  const double dp = duct.spacing(), whole = 0.5 * (window_start + window_end) * dp;
+  const double dp = duct.spacing(), whole = 0.5 * (window_start + window_end) * dp - brim * slice.spacing;
   std::vector<double> depth(slice.sites.size(), whole);
   for (const auto& member : work.zones[k].members) {
     const Vec<D>& x = state.fluid.position[member.index];
@@ -93,12 +94,17 @@ void insert_arrivals(const Model<D>& model, VesselState<D>& state, Workspace<D>&
   const Duct<D>& duct = model.ducts[k];
   const Slice<D>& slice = model.slices[k];
   std::vector<double> depth = free_depth(model, state, work, k);
-  while (!depth.empty()) {
+  double sum = std::accumulate(depth.begin(), depth.end(), 0.0);
+  double& level = state.ports[k].insertion_level;
+  while (sum > 0.0) {  // the duct as a whole has room for a particle; the emptiest site takes it
     const auto emptiest = std::max_element(depth.begin(), depth.end());
-    if (*emptiest < room * slice.spacing) break;
-    const Vec<D> x = duct.at_depth(slice.sites[emptiest - depth.begin()], *emptiest - 0.5 * slice.spacing);
+    const double excess = *emptiest / slice.spacing - level;
+    level += excess / static_cast<double>(depth.size());
+    const double s = slice.spacing * std::clamp(brim + excess, 0.0, 2.0 * brim);
+    const Vec<D> x = duct.at_depth(slice.sites[emptiest - depth.begin()], s);
     insert(model, state, work, k, x);
     for_sites(slice, duct, x, [&](std::int32_t a, double share) { depth[a] -= share * slice.spacing; });
+    sum -= slice.spacing;
   }
 }
 

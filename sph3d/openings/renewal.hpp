@@ -3,12 +3,13 @@
 ///
 /// Deletion. A particle of the duct that has passed the outer face (s < 0) is removed.
 ///
-/// Insertion. Every particle of the duct fills a depth V / (area per site) of the sites of the relaxed slice
-/// it stands on, shared so that nothing is counted twice; what then is missing between the outer face and the
-/// fluid is the free depth of each site. The site with the most free depth receives a particle as soon as
-/// that is 3/4 of a layer, placed against the fluid, until none has. Void is neither made nor lost, so the
-/// fluid enters at its own density whatever the profile, and there is no memory of who crossed what:
-/// reversal, shear and arrival of disordered fluid leave no holes and no overlaps.
+/// Insertion. Every particle of the duct fills a depth V / (area per site) of the sites of the relaxed slice it stands on,
+/// shared so that nothing is counted twice; what then is missing below the brim (3/4 of a layer inside the outer face) is
+/// the free depth of each site. As soon as the free depths add up to more than nothing, the emptiest site receives a
+/// particle: at the brim, farther in or out by what its free depth is more or less than usual. With insertions at the brim
+/// on the mean, and the void there kept, the fluid enters at its own density: void is neither made nor lost whatever the
+/// profile. There is no memory of who crossed what: reversal, shear and arrival of disordered fluid leave no holes
+/// and no overlaps.
 ///
 /// Counting. M = sum V crossed + deleted - inserted is smooth in time and conserves volume to round-off.
 /// Deterministic: everything runs in the order of memory and of the sites. Source: docs/theory/openings.md.

@@ -85,6 +85,10 @@ std::vector<Vec<D>> inner_points(const Model<D>& model, std::size_t wanted) {
   return points;
 }
 
+/// The strain of the lattice goes more slowly in the plane: after 200 iterations 1 % of disorder, after 1000 0.5 %.
+template <int D>
+constexpr int default_iterations = D == 2 ? 1000 : 200;
+
 /// Walls and outer faces together.
 template <int D>
 WallSample<D> outside(const Model<D>& model, const Vec<D>& x) {
@@ -113,14 +117,15 @@ FluidState<D> fill(const Model<D>& model, const FillOptions& options) {
   points.insert(points.end(), inner.begin(), inner.end());
   std::vector<std::uint8_t> fixed(points.size(), 0);
   std::fill_n(fixed.begin(), fixed_count, 1);
+  const int iterations = options.iterations > 0 ? options.iterations : default_iterations<D>;
   const auto report = [&](int iteration) {
-    if (options.progress) options.progress((iteration + 1.0) / options.iterations);
+    if (options.progress) options.progress((iteration + 1.0) / iterations);
   };
   relax<D>(points, fixed,
            {.outside = [&](const Vec<D>& x) { return outside(model, x); },
             .kernel = model.kernel,
             .volume = model.particle_volume,
-            .iterations = options.iterations,
+            .iterations = iterations,
             .progress = report});
   return fluid_at<D>(points, model.particle_volume);
 }

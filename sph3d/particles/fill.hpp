@@ -12,7 +12,7 @@
 namespace ostium::sph3d {
 
 struct FillOptions {
-  int iterations = 200;
+  int iterations = 0;                         ///< of the relaxation; 0: 200 in 3D, 1000 in 2D
   std::function<void(double)> progress = {};  ///< share done, 0 to 1
 };
 

@@ -30,6 +30,7 @@ struct PortState {
   double pressure = 0;               ///< of the law (pressure-driven), measured (flow-driven); at the cap  Pa
   double face_pressure = 0;          ///< imposed at the outer face, relative to the datum                  Pa
   double cap_pressure = 0;           ///< mean over the fluid at the cap                                    Pa
+  double insertion_level = 0.5;      ///< usual free depth of a site when it receives a particle, in layers   -
   double flow_rate = 0;              ///< slow rate of change of the flow                                   m3/s2
   ComplementaryFilter filter;
 };

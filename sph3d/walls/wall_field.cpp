@@ -204,6 +204,25 @@ void WallField<D>::sharpen() {
   values_ = std::move(sharp);
 }
 
+/// Four nodes in a row along the first axis.
+template <int D>
+std::array<float, 4> WallField<D>::row_of_four(Index node) const {
+  std::array<float, 4> row;
+  if ((node[0] & (edge - 1)) <= edge - 4) {  // all in one block
+    const std::int32_t slot = block_at(node);
+    if (slot < 0) {
+      row.fill(slot == all_wall ? 1.0f : 0.0f);
+    } else {
+      int n = 0;
+      for (int d = D - 1; d >= 0; --d) n = n * edge + (node[d] & (edge - 1));
+      std::copy_n(&values_[static_cast<std::size_t>(slot) * block_size + n], 4, row.begin());
+    }
+  } else {
+    for (int i = 0; i < 4; ++i, ++node[0]) row[i] = node_value(values_, node);
+  }
+  return row;
+}
+
 template <int D>
 WallSample<D> WallField<D>::operator()(const Vec<D>& x) const {
   Index base;
@@ -212,24 +231,34 @@ WallSample<D> WallField<D>::operator()(const Vec<D>& x) const {
     const double u = (x[d] - origin_[d]) / spacing_;
     base[d] = static_cast<int>(std::floor(u));
     t[d] = u - base[d];
+    --base[d];
   }
   WallSample<D> sample;
-  const std::int32_t slot = block_at(base);
+  Index corner = base;
+  for (int d = 0; d < D; ++d) ++corner[d];
+  const std::int32_t slot = block_at(corner);
   if (slot < 0) {
     sample.filling = slot == all_wall ? 1.0 : 0.0;
     return sample;
   }
+  std::array<float, 4> rows[D == 3 ? 16 : 4];
+  float largest = 0;
+  for (int k = 0, r = 0; k < (D == 3 ? 4 : 1); ++k)
+    for (int j = 0; j < 4; ++j, ++r) {
+      Index node = base;
+      node[1] += j;
+      if constexpr (D == 3) node[2] += k;
+      rows[r] = row_of_four(node);
+      for (const float value : rows[r]) largest = std::max(largest, value);
+    }
+  if (largest < 1e-6f) return sample;
   const Cubic cx(t[0]), cy(t[1]), cz(D == 3 ? t[D - 1] : 0.0);
-  for (int k = 0; k < (D == 3 ? 4 : 1); ++k)
-    for (int j = 0; j < 4; ++j) {
+  for (int k = 0, r = 0; k < (D == 3 ? 4 : 1); ++k)
+    for (int j = 0; j < 4; ++j, ++r) {
       double line = 0, slope = 0;
       for (int i = 0; i < 4; ++i) {
-        Index node = base;
-        node[0] += i - 1, node[1] += j - 1;
-        if constexpr (D == 3) node[2] += k - 1;
-        const double value = node_value(values_, node);
-        line += cx.w[i] * value;
-        slope += cx.d[i] * value;
+        line += cx.w[i] * rows[r][i];
+        slope += cx.d[i] * rows[r][i];
       }
       const double wz = D == 3 ? cz.w[k] : 1.0;
       sample.filling += line * cy.w[j] * wz;

@@ -58,6 +58,7 @@ class WallField {
 
   std::int32_t block_at(const Index& node) const;
   float node_value(const std::vector<float>& values, const Index& node) const;
+  std::array<float, 4> row_of_four(Index node) const;
   Index first_node(std::size_t block) const;
   Vec<D> position(const Index& node) const;
 

@@ -60,15 +60,6 @@ coupling::CoupledOptions coupled_options(const Case& study, const FlowScales& sc
           .force = study.coupling.force};
 }
 
-template <int D>
-std::optional<network::Start> start_of(const Case& study, const Setup<D>& setup) {
-  if (study.initial() != network::Initial::periodic) return {};
-  if (!study.time.period)
-    study.network.blocks.error(
-        "a start from the periodic state needs \"time.period\"; add it, or choose \"initial: rest\"");
-  return network::periodic_start(setup.model, setup.ports, *study.time.period);
-}
-
 /// One run: the loop, what is written down on the way, and what is said at the end.
 template <int D>
 class Session {
@@ -223,7 +214,7 @@ template <int D>
 int run(const Case& study, const RunOptions& options) {
   if (options.threads > 0) omp_set_num_threads(options.threads);
   const Setup<D> setup = set_up<D>(study);
-  const auto start = start_of(study, setup);
+  const auto start = start_of(study, setup.model, setup.ports);
   return Session<D>(study, options, setup, start).go();
 }
 

@@ -1,8 +1,8 @@
 #include "app/estimate.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "app/flow_scales.hpp"
 #include "core/error.hpp"
 
 namespace ostium::app {
@@ -29,9 +29,9 @@ template <int D>
 Estimate estimate(const Case& study, const Setup<D>& setup, int threads) {
   Estimate e;
   e.particles = particle_count(study, setup.lumen);
-  const double speed = std::max(0.1, 2 * setup.peak_velocity);
-  const double sound = study.fluid.sound_speed.value_or(10 * speed);
-  const double step = study.numerics.acoustic_cfl * smoothing_ratio * study.vessel->spacing / (sound + speed);
+  const FlowScales scales = flow_scales(study, setup, start_of(study, setup.model, setup.ports));
+  const double step = study.numerics.acoustic_cfl * smoothing_ratio * study.vessel->spacing /
+                      (scales.sound_speed + scales.speed);
   e.steps = std::ceil(study.time.final() / step);
   e.wall = e.particles * e.steps / (steps_per_core_second * threads);
   e.memory = bytes_of_program + bytes_per_particle * e.particles;

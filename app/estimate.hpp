@@ -1,8 +1,7 @@
 /// How large and how long a coupled run will be, before it starts: a rough figure, within about a factor of two.
 ///
 ///   N     particles    V / dp^D
-///   U     m/s          twice the largest prescribed mean velocity (the centre of a parabola), at least 0.1
-///   c     m/s          as the case says, else 10 U
+///   U, c  m/s          largest velocity expected and sound speed, as the run will have them (app/flow_scales)
 ///   dt    s            acoustic step, acoustic_cfl h / (c + U), h = 1.3 dp
 ///   wall  s            N (end / dt) / (2e6 particle-steps per second and core)
 #pragma once

@@ -123,15 +123,6 @@ std::vector<network::Port> ports_of(const Lumen<D>& lumen) {
 
 namespace {
 
-double peak_velocity(const network::Network& network, double end) {
-  constexpr int samples = 500;
-  double peak = 0;
-  for (int k = 0; k < network.port_count(); ++k)
-    for (int i = 0; i < samples && network.kind(k) == network::PortKind::flow; ++i)
-      peak = std::max(peak, std::abs(network.flow_into_vessel(k, end * i / samples)) / network.port(k).area);
-  return peak;
-}
-
 sph3d::Profile profile_of(const VesselCase& vessel, const std::string& opening) {
   for (const auto& [name, o] : vessel.openings)
     if (name == opening) return o.profile;
@@ -151,8 +142,16 @@ Setup<D> set_up(const Case& study) {
   const network::Network network(s.model, s.ports);
   for (int k = 0; k < network.port_count(); ++k) s.kinds.push_back(network.kind(k));
   for (const auto& opening : s.lumen.openings) s.profiles.push_back(profile_of(*study.vessel, opening.name));
-  s.peak_velocity = peak_velocity(network, study.time.period.value_or(study.time.final()));
   return s;
+}
+
+std::optional<network::Start> start_of(const Case& study, const network::Model& model,
+                                       const std::vector<network::Port>& ports) {
+  if (study.initial() != network::Initial::periodic) return {};
+  if (!study.time.period)
+    study.network.blocks.error(
+        "a start from the periodic state needs \"time.period\"; add it, or choose \"initial: rest\"");
+  return network::periodic_start(model, ports, *study.time.period);
 }
 
 template <int D>

@@ -8,6 +8,7 @@
 
 #include "app/case.hpp"
 #include "network/network.hpp"
+#include "network/periodic.hpp"
 #include "sph3d/geometry/lumen.hpp"
 
 namespace ostium::app {
@@ -32,12 +33,15 @@ struct Setup {
   std::vector<network::Port> ports;
   std::vector<network::PortKind> kinds;  // of each port
   std::vector<sph3d::Profile> profiles;  // of each opening
-  double peak_velocity = 0;  // m/s, largest mean velocity that the network prescribes at an opening
 };
 
 /// Everything a coupled run needs; the graph has been checked against the openings.
 template <int D>
 Setup<D> set_up(const Case& study);
+
+/// The periodic state of the network, where the case starts from it.
+std::optional<network::Start> start_of(const Case& study, const network::Model& model,
+                                       const std::vector<network::Port>& ports);
 
 /// Particles that fill the lumen without its ducts.
 template <int D>

@@ -43,7 +43,8 @@ TEST_F(ShortCase, PipeRcr) {
   if (!surface) GTEST_SKIP() << "needs the reference data (vessels/pipe_rcr)";
   run("pipe_rcr", "--surface '" + surface->string() + "'" + coarse_pipe);
   const double closed_form = column(reference("pipe_rcr"), "outlet_pressure_Pa").at(0.02);
-  EXPECT_NEAR(ports().at("outlet").pressure.value.back(), closed_form, 300);
+  EXPECT_NEAR(ports().at("outlet").pressure.value.back(), closed_form,
+              555);  // a tenth of its amplitude: the blood has started from rest
 }
 
 TEST_F(ShortCase, PipeRcrSmallCompliance) {

@@ -70,7 +70,7 @@ StepReport Vessel<D>::advance(double dt_limit, std::span<const Drive> drives, do
   find_zones(*model_, state_.fluid, work_);
   look_around(*model_, state_.fluid, work_);
   kernel_sums(*model_, state_.fluid, work_);
-  correct_density(*model_, state_.fluid, work_);
+  correct_density(*model_, state_.fluid, work_, dt);
   correct_gradients(*model_, state_.fluid, work_);
   prepare_forces(*model_, state_.fluid, work_);
   first_pressures(dt / n);

@@ -19,6 +19,7 @@
 ///   wall     grad S of the wall                                                        1/m
 ///   moved    displacement since the positions were frozen                              m
 ///   friction rate at which the wall slows the particle, taken implicitly                 1/s
+///   source   rate at which psi returns to the number density                             1/s
 ///   acceleration   its square, of the last kick                                           m2/s4
 ///   kV       (10 alpha / h^(D+1)) V:  grad W V = -kV (1 - r)^3 x_ij with x over 2h     1/m
 ///
@@ -37,7 +38,7 @@ struct alignas(64) Cluster {
   float psi[8], rate[8];
   float diss[D][8], prior[D][8], G[D][8], B[symmetric_size<D>][8];
   float k0[8], wall[D][8], moved[D][8];
-  float friction[8], acceleration[8];
+  float friction[8], source[8], acceleration[8];
 };
 
 /// Kernel sums of the advection step that the acoustic steps do not need.

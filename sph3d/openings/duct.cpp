@@ -19,6 +19,13 @@ bool Duct<D>::holds(const Vec<D>& x) const {
 }
 
 template <int D>
+bool Duct<D>::before_cap(const Vec<D>& x) const {
+  const Vec<D> r = x - opening_.centre;
+  const double out = r.dot(opening_.normal);
+  return out <= 0.0 && out > -2.0 * dp_ && (r - out * opening_.normal).norm() < radius_ + 0.5 * dp_;
+}
+
+template <int D>
 double Duct<D>::crossed(double depth) const {
   const double x = std::clamp((length_ - depth) / (4.0 * dp_), 0.0, 1.0);
   return x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);

@@ -35,6 +35,8 @@ class Duct {
   /// Whether x lies in the duct: beyond the cap, before the outer face (with three spacings to spare) and near
   /// the axis.
   bool holds(const Vec<D>& x) const;
+  /// Whether x lies in the vessel within two spacings of the cap: where the pressure of the opening is read.
+  bool before_cap(const Vec<D>& x) const;
   double crossed(double depth) const;
   /// The point of the duct at this depth, opposite to x in the plane of the opening.
   Vec<D> at_depth(const Vec<D>& x, double depth) const {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double window_start = 1.0,
                  window_end = 5.0;  // of the content, in particle spacings from the outer face
-constexpr double brim = 0.75;  // depth to which the duct is kept filled, in layers
+constexpr double brim = 0.75;       // depth to which the duct is kept filled, in layers
 
 /// 1 near the outer face, 0 where the content is no longer looked at.
 double window(double s, double dp) {
@@ -115,17 +115,16 @@ void count_ports(const Model<D>& model, VesselState<D>& state, Workspace<D>& wor
   const double c = model.options.sound_speed;
   for (std::size_t k = 0; k < state.ports.size(); ++k) {
     const Duct<D>& duct = model.ducts[k];
-    double crossed = 0, pressure = 0;
-    int near_cap = 0;
-    for (const auto& member : work.zones[k].members) {
-      const double s = duct.depth(state.fluid.position[member.index]);
-      crossed += duct.crossed(s);
-      if (s > duct.length() - 1.5 * duct.spacing()) pressure += state.fluid.psi(member.index), ++near_cap;
-    }
+    const Zone<D>& zone = work.zones[k];
+    double crossed = 0, psi = 0;
+    for (const auto& member : zone.members)
+      crossed += duct.crossed(duct.depth(state.fluid.position[member.index]));
+    for (const std::int32_t i : zone.before_cap) psi += state.fluid.psi(i);
     PortState& port = state.ports[k];
     port.counted = state.fluid.volume * crossed + port.deleted - port.inserted;
-    if (near_cap > 0)
-      port.cap_pressure = model.options.density * c * c * pressure / near_cap + state.datum.reference;
+    if (!zone.before_cap.empty())
+      port.cap_pressure = model.options.density * c * c * psi / static_cast<double>(zone.before_cap.size()) +
+                          state.datum.reference;
     if (model.roles[k].flow_driven) port.pressure = port.cap_pressure;
   }
 }

@@ -32,18 +32,19 @@ Mat<D> open_moment(const Model<D>& model, const Duct<D>& duct, const Vec<D>& x, 
 }  // namespace
 
 template <int D>
-void correct_density(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>& work) {
+void correct_density(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>& work, double dt) {
   const double theta = model.options.density_relaxation;
   for_clusters(fluid.clusters.size(), [&](std::size_t c) {
+    Cluster<D>& own = fluid.clusters[c];
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const std::size_t i = 8 * c + lane;
+      own.source[lane] = 0;
       if (!fluid.filled[i]) continue;
       if (const int k = work.duct_of[i]; k >= 0)
         if (model.roles[k].flow_driven || model.ducts[k].depth(fluid.position[i]) < model.reach()) continue;
       const double sum =
           work.sums[c].density[lane] + work.around[c].filling[lane] + work.around[c].open_filling[lane];
-      float& psi = fluid.clusters[c].psi[lane];
-      psi += static_cast<float>(theta * (sum / model.number_density - 1.0 - psi));
+      own.source[lane] = static_cast<float>(theta / dt * (sum / model.number_density - 1.0 - own.psi[lane]));
     }
   });
 }
@@ -67,7 +68,8 @@ void correct_gradients(const Model<D>& model, FluidState<D>& fluid, Workspace<D>
       own.friction[lane] = 0;
       if (near_wall) {
         const double nBn = n.dot(B * n);
-        const double rate = model.half_space.friction_n(s) * nBn + model.half_space.friction_t(s) * (B.trace() - nBn);
+        const double rate =
+            model.half_space.friction_n(s) * nBn + model.half_space.friction_t(s) * (B.trace() - nBn);
         own.friction[lane] = static_cast<float>(model.options.viscosity * rate);
       }
       for (int a = 0, k = 0; a < D; ++a)
@@ -149,9 +151,9 @@ void prepare_forces(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& w
   prepare_zones(model, fluid, work);
 }
 
-#define OSTIUM_INSTANTIATE(D)                                                          \
-  template void correct_density(const Model<D>&, FluidState<D>&, const Workspace<D>&); \
-  template void correct_gradients(const Model<D>&, FluidState<D>&, Workspace<D>&);     \
+#define OSTIUM_INSTANTIATE(D)                                                                  \
+  template void correct_density(const Model<D>&, FluidState<D>&, const Workspace<D>&, double); \
+  template void correct_gradients(const Model<D>&, FluidState<D>&, Workspace<D>&);             \
   template void prepare_forces(const Model<D>&, FluidState<D>&, Workspace<D>&);
 OSTIUM_INSTANTIATE(2)
 OSTIUM_INSTANTIATE(3)

@@ -1,8 +1,8 @@
 /// The preparation of an advection step (docs/theory/fluid.md, "One advection step", A), in this order:
 ///
 ///   freeze, find_zones, look_around, kernel_sums    see workspace.hpp
-///   correct_density     psi <- psi + theta (sigma/sigma_0 - 1 - psi), sigma = sum W V + filling
-///                       writes psi
+///   correct_density     source = (theta / dt) (sigma/sigma_0 - 1 - psi), sigma = sum W V + filling: spread over
+///                       the acoustic steps, so that pressure never jumps;  writes source
 ///   correct_gradients   B = M^-1, M = -sum r (x) grad W V + outside moments; rate of the wall friction
 ///                       writes B, friction
 ///   prepare_forces      viscous acceleration, transport shift, what pressure acts on, drive of the ports
@@ -16,7 +16,7 @@
 namespace ostium::sph3d {
 
 template <int D>
-void correct_density(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>& work);
+void correct_density(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>& work, double dt);
 template <int D>
 void correct_gradients(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work);
 template <int D>

@@ -25,13 +25,13 @@ struct PortState {
   double counted = 0;                ///< M = sum V crossed + deleted - inserted                            m3
   double counted_at_start = 0;       ///< m3
   double asked = 0;                  ///< flow-driven: volume asked to leave so far                         m3
-  double flow_scale = 0;             ///< flow-driven: largest recent flow, measure of the trim             m3/s
-  double conjugate = 0;              ///< Q_c after the last acoustic step                                  m3/s
-  double pressure = 0;               ///< of the law (pressure-driven), measured (flow-driven); at the cap  Pa
-  double face_pressure = 0;          ///< imposed at the outer face, relative to the datum                  Pa
-  double cap_pressure = 0;           ///< mean over the fluid at the cap                                    Pa
-  double insertion_level = 0.5;      ///< usual free depth of a site when it receives a particle, in layers   -
-  double flow_rate = 0;              ///< slow rate of change of the flow                                   m3/s2
+  double flow_scale = 0;         ///< flow-driven: largest recent flow, measure of the trim             m3/s
+  double conjugate = 0;          ///< Q_c after the last acoustic step                                  m3/s
+  double pressure = 0;           ///< of the law (pressure-driven), measured (flow-driven); at the cap  Pa
+  double face_pressure = 0;      ///< imposed at the outer face, relative to the datum                  Pa
+  double cap_pressure = 0;       ///< mean over the fluid at the cap                                    Pa
+  double insertion_level = 0.5;  ///< usual free depth of a site when it receives a particle, in layers   -
+  double flow_rate = 0;          ///< slow rate of change of the flow                                   m3/s2
   ComplementaryFilter filter;
 };
 

@@ -57,16 +57,21 @@ void freeze(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
 
 template <int D>
 void find_zones(const Model<D>& model, const FluidState<D>& state, Workspace<D>& work) {
+  const auto before_cap = [](std::size_t k) { return static_cast<std::int8_t>(-2 - static_cast<int>(k)); };
   work.duct_of.assign(state.places(), -1);
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < state.places(); ++i)
-    for (std::size_t k = 0; k < model.ducts.size() && state.filled[i]; ++k)
+    for (std::size_t k = 0; k < model.ducts.size() && state.filled[i]; ++k) {
       if (model.ducts[k].holds(state.position[i])) work.duct_of[i] = static_cast<std::int8_t>(k);
+      if (model.ducts[k].before_cap(state.position[i])) work.duct_of[i] = before_cap(k);
+    }
   work.zones.assign(model.ducts.size(), {});
   for (std::size_t i = 0; i < state.places(); ++i)
     if (const int k = work.duct_of[i]; k >= 0)
       work.zones[k].members.push_back(
           {static_cast<std::int32_t>(i), static_cast<float>(model.ducts[k].depth(state.position[i])), 0.0f});
+    else if (k < -1)
+      work.zones[-2 - k].before_cap.push_back(static_cast<std::int32_t>(i));
 }
 
 template <int D>

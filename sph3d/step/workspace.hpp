@@ -27,10 +27,12 @@ struct Zone {
   struct Member {
     std::int32_t index;
     float depth;
-float drive;  ///< pressure-driven: 2 n.B grad(open filling) as the particles see it, what a unit of pressure does, 1/m;
-                  ///< flow-driven: velocity over Q/A, scaled so that the particles of the duct carry exactly Q
+    float
+        drive;  ///< pressure-driven: 2 n.B grad(open filling) as the particles see it, what a unit of pressure does, 1/m;
+        ///< flow-driven: velocity over Q/A, scaled so that the particles of the duct carry exactly Q
   };
   std::vector<Member> members;
+  std::vector<std::int32_t> before_cap;  ///< particles of the vessel next to the cap
 };
 
 template <int D>
@@ -40,7 +42,7 @@ struct Workspace {
   std::vector<MatrixRecord> matrix;
   std::vector<ClusterSums<D>> sums;
   std::vector<ClusterSurroundings<D>> around;
-  std::vector<std::int8_t> duct_of;  ///< of each place, -1 outside the ducts
+  std::vector<std::int8_t> duct_of;  ///< of each place; negative outside the ducts
   std::vector<Zone<D>> zones;        ///< one per duct
   RowLists<D> rows;
 };

@@ -120,11 +120,13 @@ class Session {
     max_speed_ = std::max(max_speed_, report.max_speed);
     max_density_error_ = std::max(max_density_error_, report.max_density_error);
     record(report);
-    if (progress_.due())
+    if (progress_.due()) {
+      recorder_.flush();
       progress_.update(run_.time(), run_.vessel().state().acoustic_steps,
                        fmt::format("max {:.3g} m/s  {:.4g} mmHg", report.max_speed, mean_pressure() / mmHg));
-    else
+    } else {
       progress_.update(run_.time(), run_.vessel().state().acoustic_steps, {});
+    }
   }
 
   double mean_pressure() const {

@@ -53,8 +53,10 @@ CoupledRun<D>::CoupledRun(const sph3d::Lumen<D>& lumen, const sph3d::FluidOption
       scheme_(make_scheme(options.scheme, network_)),
       drives_(network_.port_count()) {
   const double omega1 = options.period > 0 ? 2.0 * pi / options.period : 0.0;
-  const double window =
-      std::max(options.exchange, fluid.advection_cfl * 1.3 * fluid.dp / fluid.reference_speed);
+  const double h = 1.3 * fluid.dp, acoustic = fluid.acoustic_cfl * h / fluid.sound_speed;
+  const double advection =
+      std::min(fluid.advection_cfl * h / fluid.reference_speed, fluid.most_acoustic_steps * acoustic);
+  const double window = std::max(options.exchange, advection);
   stability_ = stability_numbers(
       network_, numbers_of(vessel_.model()),
       {.window = window, .filter_time = options.filter_time, .delay = 4.0 * fluid.dp / fluid.sound_speed},
@@ -75,7 +77,7 @@ void CoupledRun<D>::start(const std::optional<network::Start>& begin) {
                              .weights = datum_weights(network_, omega1)};
   datum.start(pressures);
   vessel_.start_datum(datum);
-  const double window = std::max(options_.exchange, 1e-9);
+  const double window = stability_.exchange.window;
   const Laws laws = scheme_->start(network_, window);
   for (int k = 0; k < port_count(); ++k) {
     drives_[k].law = laws[k];

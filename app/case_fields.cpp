@@ -111,9 +111,10 @@ void declare(config::Fields<CouplingCase>& f) {
        "filter_time", &CouplingCase::filter_time, "s",
        "time constant that separates the fast part of an opening's flow; without it chosen from the step")
       .positive();
-  f.quantity("datum_time", &CouplingCase::datum_time, "s",
-             "time constant of the moving pressure datum, which keeps the fluid's artificial compressibility from "
-             "storing blood; 0 turns it off, without it chosen from the vessel")
+  f.quantity(
+       "datum_time", &CouplingCase::datum_time, "s",
+       "time constant of the moving pressure datum, which keeps the fluid's artificial compressibility from "
+       "storing blood; 0 turns it off, without it chosen from the vessel")
       .non_negative();
   f.flag("force", &CouplingCase::force, "run even where the stability numbers forbid it").or_else(false);
 }
@@ -131,8 +132,8 @@ void declare(config::Fields<OutputCase>& f) {
       .positive()
       .or_else(0.01);
   f.quantity("fields_every", &OutputCase::fields_every, "s",
-             "interval between two fields for ParaView; without it none are written")
-      .positive();
+             "interval between two sets of fields for ParaView; 0: none, without it a tenth of the period")
+      .non_negative();
 }
 
 void declare(config::Fields<NumericsCase>& f) {

@@ -73,7 +73,8 @@ class Session {
         run_(setup.lumen, fluid_options<D>(study, scales_), setup.profiles,
              network::Network(setup.model, setup.ports), start, coupled_options(study, scales_)),
         recorder_(study, options.case_name, options.folder, effective_case(study, setup.model), names(setup)),
-        fields_(options.folder.path(), run_.vessel().model(), study.output.fields_every.value_or(0.0)),
+        fields_(options.folder.path(), run_.vessel().model(),
+                study.output.fields_every.value_or(study.time.period.value_or(end_) / 10.0)),
         progress_({.end = end_, .period = study.time.period.value_or(0.0), .quiet = options.quiet}),
         volume_at_start_(run_.volume_inside()) {}
 

@@ -13,7 +13,8 @@ FieldsOutput<D>::FieldsOutput(const std::filesystem::path& results, const sph3d:
       on_(every > 0.0),
       thinning_(every),
       fluid_(folder_ / "fluid.pvd"),
-      wall_(folder_ / "wall.pvd") {
+      wall_(folder_ / "wall.pvd"),
+      surface_(folder_ / "surface.pvd") {
   if (!on_) return;
   std::filesystem::create_directories(folder_);
   wall_points_ = sph3d::sample_wall(model.lumen, model.options.dp);
@@ -23,11 +24,13 @@ template <int D>
 void FieldsOutput<D>::write_if_due(const sph3d::Vessel<D>& vessel) {
   if (!on_ || !thinning_.due(vessel.time())) return;
   const std::string number = fmt::format("{:05d}.vtp", fluid_.size());
-  const auto fluid = folder_ / ("fluid_" + number), wall = folder_ / ("wall_" + number);
+  const auto fluid = folder_ / ("fluid_" + number), wall = folder_ / ("wall_" + number),
+             surface = folder_ / ("surface_" + number);
   write_fluid(vessel, fluid);
-  write_wall(vessel, wall);
+  write_wall(vessel, wall, surface);
   fluid_.add(vessel.time(), fluid);
   wall_.add(vessel.time(), wall);
+  surface_.add(vessel.time(), surface);
 }
 
 template <int D>
@@ -54,7 +57,8 @@ void FieldsOutput<D>::write_fluid(const sph3d::Vessel<D>& vessel, const std::fil
 }
 
 template <int D>
-void FieldsOutput<D>::write_wall(const sph3d::Vessel<D>& vessel, const std::filesystem::path& file) const {
+void FieldsOutput<D>::write_wall(const sph3d::Vessel<D>& vessel, const std::filesystem::path& file,
+                                 const std::filesystem::path& surface_file) const {
   const auto loads = sph3d::wall_loads(vessel, wall_points_);
   std::vector<Vec<D>> points;
   std::vector<double> area;
@@ -63,6 +67,10 @@ void FieldsOutput<D>::write_wall(const sph3d::Vessel<D>& vessel, const std::file
                                          sph3d::field<D>("wall_shear_stress", loads.shear_stress),
                                          sph3d::field("area", area)};
   sph3d::write_particles_vtp<D>(file, points, fields);
+  const auto mapped = sph3d::mapped_to_surface(vessel.model(), wall_points_, loads);
+  const std::vector<sph3d::Field> corners{sph3d::field("pressure", mapped.pressure),
+                                          sph3d::field<D>("wall_shear_stress", mapped.shear_stress)};
+  sph3d::write_surface_vtp<D>(surface_file, vessel.model().lumen.surface, corners);
 }
 
 template class FieldsOutput<2>;

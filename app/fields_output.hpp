@@ -1,7 +1,8 @@
-/// The time series for ParaView: fields/fluid.pvd and fields/wall.pvd with one .vtp per time each.
+/// The time series for ParaView: fields/fluid.pvd, fields/wall.pvd and fields/surface.pvd with one .vtp per time each.
 ///
 ///   fluid   velocity m/s, pressure Pa, density deviation -      at the particles (those in the ducts left out)
 ///   wall    pressure Pa, wall shear stress Pa                    at the wall points
+///   surface the same, mapped to the corners of the input surface
 #pragma once
 #include <filesystem>
 
@@ -21,13 +22,14 @@ class FieldsOutput {
 
  private:
   void write_fluid(const sph3d::Vessel<D>& vessel, const std::filesystem::path& file) const;
-  void write_wall(const sph3d::Vessel<D>& vessel, const std::filesystem::path& file) const;
+  void write_wall(const sph3d::Vessel<D>& vessel, const std::filesystem::path& file,
+                  const std::filesystem::path& surface_file) const;
 
   std::filesystem::path folder_;
   bool on_;
   Thinning thinning_;
   std::vector<sph3d::WallPoint<D>> wall_points_;
-  sph3d::PvdSeries fluid_, wall_;
+  sph3d::PvdSeries fluid_, wall_, surface_;
 };
 
 }  // namespace ostium::app

@@ -83,6 +83,49 @@ WallLoads<D> wall_loads(const Vessel<D>& vessel, const std::vector<WallPoint<D>>
   return loads;
 }
 
+namespace {
+
+/// Area-weighted normals of the wall's facets at the corners of the surface; zero where only openings meet.
+template <int D>
+std::vector<Vec<D>> corner_normals(const Surface<D>& surface) {
+  std::vector<Vec<D>> normals(surface.points.size(), Vec<D>::Zero());
+  for (std::size_t f = 0; f < surface.facets.size(); ++f) {
+    if (surface.label[f] >= 0) continue;
+    for (const int corner : surface.facets[f]) normals[corner] += area_vector(surface, static_cast<int>(f));
+  }
+  for (auto& n : normals) n.normalize();
+  return normals;
+}
+
+}  // namespace
+
+template <int D>
+WallLoads<D> mapped_to_surface(const Model<D>& model, const std::vector<WallPoint<D>>& wall,
+                               const WallLoads<D>& loads) {
+  const auto& points = model.lumen.surface.points;
+  const auto normals = corner_normals(model.lumen.surface);
+  const Cells<D> cells(wall, model.reach());
+  WallLoads<D> mapped{std::vector<Vec<D>>(points.size(), Vec<D>::Zero()),
+                      std::vector<double>(points.size(), 0.0)};
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double weight = 0;
+    cells.near(points[i], [&](int a) {
+      if (wall[a].normal.dot(normals[i]) < 0.5 && normals[i].squaredNorm() > 0.0) return;
+      const double w = model.kernel.value((wall[a].position - points[i]).norm());
+      weight += w;
+      mapped.shear_stress[i] += w * loads.shear_stress[a];
+      mapped.pressure[i] += w * loads.pressure[a];
+    });
+    if (weight > 0.0) mapped.shear_stress[i] /= weight, mapped.pressure[i] /= weight;
+  }
+  return mapped;
+}
+
+template WallLoads<2> mapped_to_surface(const Model<2>&, const std::vector<WallPoint<2>>&,
+                                        const WallLoads<2>&);
+template WallLoads<3> mapped_to_surface(const Model<3>&, const std::vector<WallPoint<3>>&,
+                                        const WallLoads<3>&);
 template WallLoads<2> wall_loads(const Vessel<2>&, const std::vector<WallPoint<2>>&);
 template WallLoads<3> wall_loads(const Vessel<3>&, const std::vector<WallPoint<3>>&);
 

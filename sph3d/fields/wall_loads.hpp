@@ -22,6 +22,12 @@ struct WallLoads {
   std::vector<double> pressure;
 };
 
+/// The loads at the corners of the input surface: mean over the wall points within reach that face the same way, weighted
+/// with the kernel; zero at corners without any.
+template <int D>
+WallLoads<D> mapped_to_surface(const Model<D>& model, const std::vector<WallPoint<D>>& wall,
+                               const WallLoads<D>& loads);
+
 template <int D>
 WallLoads<D> wall_loads(const Vessel<D>& vessel, const std::vector<WallPoint<D>>& wall);
 

@@ -30,13 +30,16 @@ PointFile read_points(const std::filesystem::path& file) {
   return result;
 }
 
-std::filesystem::path last_file(const std::filesystem::path& folder, const std::string& prefix) {
-  std::filesystem::path last;
+std::vector<std::filesystem::path> last_files(const std::filesystem::path& folder, const std::string& prefix,
+                                              double share) {
+  std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().filename().string().starts_with(prefix) && entry.path().extension() == ".vtp")
-      last = std::max(last, entry.path());
-  if (last.empty()) throw std::runtime_error("no " + prefix + "*.vtp in " + folder.string());
-  return last;
+      files.push_back(entry.path());
+  if (files.empty()) throw std::runtime_error("no " + prefix + "*.vtp in " + folder.string());
+  std::sort(files.begin(), files.end());
+  files.erase(files.begin(), files.begin() + static_cast<std::ptrdiff_t>((1 - share) * files.size()));
+  return files;
 }
 
 }  // namespace ostium::test

@@ -16,7 +16,8 @@ struct PointFile {
 
 PointFile read_points(const std::filesystem::path& file);
 
-/// The file with the highest number in results/fields, such as the last of fluid_*.vtp.
-std::filesystem::path last_file(const std::filesystem::path& folder, const std::string& prefix);
+/// The last files of a series, such as the last half (share 0.5) of fluid_*.vtp, in order of their numbers.
+std::vector<std::filesystem::path> last_files(const std::filesystem::path& folder, const std::string& prefix,
+                                              double share);
 
 }  // namespace ostium::test

@@ -2,6 +2,7 @@
 /// heap-allocated neighbour list each with stored weights and directions. It is the reference the kernels are compared
 /// with, in tests for their values and in the benchmark for their speed (the usual layout of particle codes).
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "sph3d/step/lane_access.hpp"
@@ -18,9 +19,9 @@ struct Neighbourhood {
 
 template <int D>
 struct Particle {
-  Vec<D> x, v, diss, prior, gradient, G, wall, viscous;
-  Mat<D> B, moment;
-  double psi, rate, density, k0, friction;
+  Vec<D> x = Vec<D>::Zero(), v = x, diss = x, prior = x, gradient = x, G = x, wall = x, viscous = x;
+  Mat<D> B = Mat<D>::Zero(), moment = B;
+  double psi = 0, rate = 0, density = 0, k0 = 0, friction = 0;
 };
 
 template <int D>
@@ -31,11 +32,12 @@ struct Fluid {
 
   /// The particles of a state whose advection step has been prepared; lists from cells of one reach.
   Fluid(const Model<D>& model, const FluidState<D>& state) {
-    c = model.options.sound_speed, nu = model.options.viscosity, h = model.kernel.h, limiter = model.options.limiter;
+    c = model.options.sound_speed, nu = model.options.viscosity, h = model.kernel.h,
+    limiter = model.options.limiter;
     for (std::size_t i = 0; i < state.places(); ++i) {
       const auto& own = state.clusters[i / 8];
       const std::size_t lane = i % 8;
-      Particle<D> p{};
+      Particle<D> p;
       p.x = state.position[i];
       p.v = lane_vector<D>(own.v, lane);
       p.diss = lane_vector<D>(own.diss, lane);
@@ -136,7 +138,8 @@ struct Fluid {
     std::vector<std::pair<std::int64_t, int>> cells;
     const auto key = [&](const Vec<D>& x, const std::array<int, 3>& o) {
       std::int64_t k = 0;
-      for (int d = D - 1; d >= 0; --d) k = k * wide + static_cast<std::int64_t>((x[d] - low[d]) / reach) + 1 + o[d];
+      for (int d = D - 1; d >= 0; --d)
+        k = k * wide + static_cast<std::int64_t>((x[d] - low[d]) / reach) + 1 + o[d];
       return k;
     };
     for (std::size_t i = 0; i < particles.size(); ++i)

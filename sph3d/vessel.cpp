@@ -38,9 +38,9 @@ Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::ve
                   double pressure, const std::function<void(double)>& progress) {
   auto model = std::make_unique<Model<D>>(lumen, options, std::move(roles));
   state_.fluid = fill(*model, {.progress = progress});
-  model->number_density = undisturbed_density(*model, state_.fluid, work_);
-  model_ = std::move(model);
   const double psi = pressure / (options.density * options.sound_speed * options.sound_speed);
+  model->number_density = undisturbed_density(*model, state_.fluid, work_) / (1.0 + psi);
+  model_ = std::move(model);
   for (std::size_t i = 0; i < state_.fluid.places(); ++i)
     if (state_.fluid.filled[i]) state_.fluid.psi(i) = static_cast<float>(psi);
   state_.ports.resize(lumen.openings.size());

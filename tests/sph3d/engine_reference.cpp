@@ -1,0 +1,128 @@
+// The fluid kernels against the plain double-precision reference, on a moving disordered fluid with walls and openings.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "bench/plain_reference.hpp"
+#include "vessels.hpp"
+
+namespace ostium::sph3d {
+namespace {
+
+template <int D>
+Lumen<D> vessel_lumen() {
+  if constexpr (D == 2)
+    return channel(0.03, 0.01);
+  else
+    return tube(0.005, 0.012);
+}
+
+template <int D>
+struct Prepared {
+  Vessel<D> vessel;
+  FluidState<D> fluid;
+  Workspace<D> work;
+
+  Prepared()
+      : vessel(vessel_lumen<D>(),
+               {.dp = 1e-3, .density = 1000, .viscosity = 1e-4, .sound_speed = 10, .reference_speed = 1},
+               {{}, {}}, 500.0),
+        fluid(vessel.state().fluid) {
+    for (std::size_t i = 0; i < fluid.places(); ++i) {
+      if (!fluid.filled[i]) continue;
+      for (int d = 0; d < D; ++d)
+        fluid.clusters[i / 8].v[d][i % 8] = static_cast<float>(
+            std::sin(900.0 * fluid.position[i][d] + 3.0 * d + 700.0 * fluid.position[i][(d + 1) % D]));
+      fluid.psi(i) += static_cast<float>(2e-3 * std::cos(1200.0 * fluid.position[i].sum()));
+    }
+    const auto& model = vessel.model();
+    freeze(model, fluid, work);
+    find_zones(model, fluid, work);
+    look_around(model, fluid, work);
+    kernel_sums(model, fluid, work);
+  }
+};
+
+/// Largest difference over the rms of the reference.
+struct Error {
+  double largest = 0, square = 0;
+  int n = 0;
+  void add(double difference, double reference) {
+    largest = std::max(largest, std::abs(difference));
+    square += reference * reference;
+    ++n;
+  }
+  double relative() const { return largest / std::sqrt(square / n); }
+};
+
+template <int D>
+void compare(const char* isa) {
+  setenv("OSTIUM_ISA", isa, 1);
+  Prepared<D> p;
+  const auto& model = p.vessel.model();
+  plain::Fluid<D> reference(model, p.fluid);
+  reference.sums();
+  Error density, gradient, moment, k0, G, viscous, velocity, rate, diss, psi;
+  const auto all = [&](auto&& f) {
+    for (std::size_t i = 0; i < p.fluid.places(); ++i)
+      if (p.fluid.filled[i]) f(i, i / 8, i % 8, reference.particles[i]);
+  };
+  all([&](std::size_t, std::size_t c, std::size_t lane, const auto& r) {
+    density.add(p.work.sums[c].density[lane] - r.density, r.density);
+    k0.add(p.fluid.clusters[c].k0[lane] - r.k0, r.k0);
+    for (int d = 0; d < D; ++d) gradient.add(p.work.sums[c].gradient[d][lane] - r.gradient[d], r.k0);
+    const Mat<D> m = lane_matrix<D>(p.work.sums[c].moment, lane);
+    moment.add((m - r.moment).norm(), r.moment.norm());
+  });
+  correct_gradients(model, p.fluid, p.work);
+  prepare_forces(model, p.fluid, p.work);
+  reference = plain::Fluid<D>(model, p.fluid);
+  reference.corrected_sums();
+  all([&](std::size_t, std::size_t c, std::size_t lane, const auto& r) {
+    for (int d = 0; d < D; ++d) {
+      G.add(p.fluid.clusters[c].G[d][lane] - r.G[d], 1.0 / model.kernel.h);
+      viscous.add(p.work.sums[c].viscous[d][lane] - r.viscous[d], r.viscous[d]);
+    }
+  });
+  const FluidConstants constants = constants_of(model);
+  const float dt = 2e-5f;
+  const auto n = static_cast<std::int64_t>(p.fluid.clusters.size());
+  for (std::size_t i = 0; i < p.fluid.places(); ++i)
+    p.work.place[i].w = p.work.velocity[i].kV * p.fluid.psi(i) * constants.c2;
+  const auto before = reference.particles;
+  fluid_kernels<D>().kick(0, n, p.fluid.clusters.data(), p.work.rows.data(), p.work.place.data(),
+                          p.work.velocity.data(), constants, dt);
+  reference.kick(dt);
+  all([&](std::size_t i, std::size_t c, std::size_t lane, const auto& r) {
+    for (int d = 0; d < D; ++d)
+      velocity.add(p.fluid.clusters[c].v[d][lane] - r.v[d], r.v[d] - before[i].v[d]);
+    rate.add(p.fluid.clusters[c].rate[lane] - r.rate, r.rate);
+  });
+  fluid_kernels<D>().density(0, n, p.fluid.clusters.data(), p.work.rows.data(), p.work.place.data(),
+                             p.work.velocity.data(), constants, dt, 1.0f);
+  reference.density(dt, 1.0);
+  all([&](std::size_t i, std::size_t c, std::size_t lane, const auto& r) {
+    psi.add(p.fluid.psi(i) - r.psi, r.psi - before[i].psi);
+    for (int d = 0; d < D; ++d) diss.add(p.fluid.clusters[c].diss[d][lane] - r.diss[d], r.diss[d]);
+  });
+  const double bar = 1e-4;
+  EXPECT_LT(density.relative(), bar);
+  EXPECT_LT(gradient.relative(), bar);
+  EXPECT_LT(moment.relative(), bar);
+  EXPECT_LT(k0.relative(), bar);
+  EXPECT_LT(G.relative(), bar);
+  EXPECT_LT(viscous.relative(), bar);
+  EXPECT_LT(velocity.relative(), 3 * bar);  // includes the rounding of the velocity itself
+  EXPECT_LT(rate.relative(), 3 * bar);
+  EXPECT_LT(psi.relative(), 3 * bar);
+  EXPECT_LT(diss.relative(), 3 * bar);
+  unsetenv("OSTIUM_ISA");
+}
+
+TEST(FluidKernels, AgreeWithThePlainReference2d) { compare<2>(""); }
+TEST(FluidKernels, AgreeWithThePlainReference3d) { compare<3>(""); }
+TEST(FluidKernels, BaselineInstructionsAgreeWithThePlainReference2d) { compare<2>("baseline"); }
+TEST(FluidKernels, BaselineInstructionsAgreeWithThePlainReference3d) { compare<3>("baseline"); }
+
+}  // namespace
+}  // namespace ostium::sph3d

@@ -71,7 +71,10 @@ void declare(config::Fields<VesselCase>& f) {
   f.flag("cap_open_ends", &VesselCase::cap_open_ends,
          "close open ends of the surface with flat caps and take these as openings")
       .or_else(false);
-  f.map("openings", &VesselCase::openings, "the openings by the names they have in the network");
+  f.map("openings", &VesselCase::openings,
+        "the openings by the names they have in the network; without it opening1, opening2, ... by falling "
+        "area")
+      .or_else({});
   f.section("wall", &VesselCase::wall, "the wall of the vessel");
   f.origin(&VesselCase::origin);
   f.check(check_vessel);

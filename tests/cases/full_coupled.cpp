@@ -1,5 +1,6 @@
 // The coupled cases in full length against closed forms, resistances and what must be conserved.
 #include <cmath>
+#include <numbers>
 
 #include "case_run.hpp"
 
@@ -28,17 +29,24 @@ class FullPipe : public CaseRun {
 TEST_F(FullPipe, Compliant) { compare("pipe_rcr"); }
 TEST_F(FullPipe, NearlyStiff) { compare("pipe_rcr_small_compliance"); }
 
-/// A finite-element solution of the same pipe: what the two ends differ by, in the last of eight cycles.
+/// First harmonic of what the two ends differ by, against Womersley's exact solution (alpha = 25.8): 105.36 Pa in phase
+/// with the acceleration. Finite elements on the fine mesh of this pipe's sources give 105.0 Pa; those on its coarse mesh
+/// (elements six times as wide as the Stokes layer) 132.6 Pa, which is why they are not the reference.
 TEST_F(FullPipe, PressureDifferenceOfTheEnds) {
   const auto surface = data("pipe_rcr/pipe_exterior.vtp");
   if (!surface) GTEST_SKIP() << "needs the reference data (vessels/pipe_rcr)";
   run("pipe_rcr", "--surface '" + surface->string() + "'");
   const auto all = ports();
   const Signal in = all.at("inlet").pressure.between(1, 2), out = all.at("outlet").pressure;
-  Signal difference = in;
-  for (std::size_t i = 0; i < in.time.size(); ++i) difference.value[i] -= out.at(in.time[i]);
-  EXPECT_NEAR(difference.max(), 137.1, 0.05 * 137.1);
-  EXPECT_NEAR(difference.min(), -129.0, 0.05 * 129.0);
+  double sine = 0, mean = 0, span = 0;
+  for (std::size_t i = 1; i < in.time.size(); ++i) {
+    const double dt = in.time[i] - in.time[i - 1], difference = in.value[i] - out.at(in.time[i]);
+    sine += 2 * dt * difference * std::sin(2 * std::numbers::pi * in.time[i]);
+    mean += dt * difference;
+    span += dt;
+  }
+  EXPECT_NEAR(sine / span, 105.36, 0.05 * 105.36);
+  EXPECT_NEAR(mean / span, 1.2, 0.05 * 105.36);  // Poiseuille's loss; entrance and noise within 5 % of the amplitude
 }
 
 class FullAorta : public CaseRun {};

@@ -1,46 +1,39 @@
-/// Timing of competing pieces of code in one process: run in turn, again and again, so that a drifting machine slows all
-/// of them alike; best and median are quoted, and ratios are taken pair by pair.
+/// Timing of rivals in one process: taken in turn, again and again, so that all of them see the same machine.
+///
+///   median, best   s   of the rounds after a first one that does not count
 #pragma once
 #include <algorithm>
 #include <chrono>
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace ostium::bench {
 
-inline double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-struct Contender {
-  std::string name;
-  std::function<void()> run;
-  std::vector<double> times = {};  // s
-
-  double best() const { return *std::min_element(times.begin(), times.end()); }
-  double median() const { return middle(times); }
-  /// Median over the rounds of other's time over this one's.
-  double ratio(const Contender& other) const {
-    std::vector<double> ratios;
-    for (std::size_t k = 0; k < times.size(); ++k) ratios.push_back(other.times[k] / times[k]);
-    return middle(ratios);
-  }
-
- private:
-  static double middle(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    return values[values.size() / 2];
-  }
+struct Timing {
+  double median = 0, best = 0;
 };
 
-inline void interleave(std::vector<Contender>& contenders, int rounds) {
-  for (int round = -1; round < rounds; ++round)  // the first one warms up
-    for (Contender& c : contenders) {
-      const double begin = seconds();
-      c.run();
-      if (round >= 0) c.times.push_back(seconds() - begin);
+inline double seconds_of(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+inline Timing timing_of(std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  return {seconds[seconds.size() / 2], seconds.front()};
+}
+
+inline std::vector<Timing> in_turn(const std::vector<std::function<void()>>& rivals, int rounds) {
+  std::vector<std::vector<double>> seconds(rivals.size());
+  for (int round = 0; round <= rounds; ++round)
+    for (std::size_t k = 0; k < rivals.size(); ++k) {
+      const double s = seconds_of(rivals[k]);
+      if (round > 0) seconds[k].push_back(s);
     }
+  std::vector<Timing> timings;
+  for (auto& s : seconds) timings.push_back(timing_of(std::move(s)));
+  return timings;
 }
 
 }  // namespace ostium::bench

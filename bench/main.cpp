@@ -13,9 +13,10 @@ namespace {
 
 void print(const KernelResult& r) {
   fmt::print("Kernels, {} particles, one thread\n", r.particles);
-  fmt::print("{:<15} {:<9} {:>11} {:>11} {:>10} {:>8}\n", "", "", "median ns", "best ns", "Mps/s", "x plain");
+  fmt::print("{:<15} {:<14} {:>11} {:>11} {:>10} {:>8}\n", "", "", "median ns", "best ns", "Mps/s",
+             "x plain");
   for (const auto& row : r.rows)
-    fmt::print("{:<15} {:<9} {:11.1f} {:11.1f} {:10.2f} {:8.2f}\n", row.what, row.who,
+    fmt::print("{:<15} {:<14} {:11.1f} {:11.1f} {:10.2f} {:8.2f}\n", row.what, row.who,
                1e9 * row.per_particle.median, 1e9 * row.per_particle.best, 1e-6 / row.per_particle.median,
                row.times_faster);
 }

@@ -46,7 +46,8 @@ TEST_F(FullPipe, PressureDifferenceOfTheEnds) {
     span += dt;
   }
   EXPECT_NEAR(sine / span, 105.36, 0.05 * 105.36);
-  EXPECT_NEAR(mean / span, 1.2, 0.05 * 105.36);  // Poiseuille's loss; entrance and noise within 5 % of the amplitude
+  EXPECT_NEAR(mean / span, 1.2,
+              0.05 * 105.36);  // Poiseuille's loss; entrance and noise within 5 % of the amplitude
 }
 
 class FullAorta : public CaseRun {};

@@ -22,10 +22,10 @@ namespace ostium::coupling {
 struct PipeSetup {
   double rho = 1000, c = 10, length = 0.03175, area = 6.35e-3;
   std::function<double(double)> inflow = {};  // m3/s
-  double end = 0.6;                      // s
-  double window = 0;                     // s between exchanges; 0: every step
+  double end = 0.6;                           // s
+  double window = 0;                          // s between exchanges; 0: every step
   std::optional<double> filter_time = {};     // with the complementary filter
-  double bias = 1.0;                     // conjugate flow over true flow
+  double bias = 1.0;                          // conjugate flow over true flow
   std::optional<sph3d::PressureDatum> datum = {};
   int cells = 40;
 };

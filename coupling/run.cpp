@@ -141,8 +141,13 @@ void CoupledRun<D>::exchange() {
 
 template <int D>
 void CoupledRun<D>::remember_flows() {
-  Sample sample{time(), {}};
-  for (int k = 0; k < port_count(); ++k) sample.volume.push_back(vessel_.volume_out(k));
+  Sample sample{time(), {}, {}};
+  for (int k = 0; k < port_count(); ++k) {
+    const double before = recent_.empty() ? 0.0 : recent_.back().pressure[k];
+    const double dt = recent_.empty() ? 0.0 : time() - recent_.back().time;
+    sample.volume.push_back(vessel_.volume_out(k));
+    sample.pressure.push_back(before + dt * vessel_.state().ports[k].pressure);
+  }
   recent_.push_back(std::move(sample));
   while (recent_.size() > 2 && recent_[1].time <= time() - flow_window) recent_.erase(recent_.begin());
 }
@@ -152,7 +157,8 @@ PortReading CoupledRun<D>::port(int k) const {
   const Sample &first = recent_.front(), &last = recent_.back();
   const double span = last.time - first.time;
   return {.flow_out = span > 0 ? (last.volume[k] - first.volume[k]) / span : 0.0,
-          .pressure = vessel_.state().ports[k].pressure,
+          .pressure =
+              span > 0 ? (last.pressure[k] - first.pressure[k]) / span : vessel_.state().ports[k].pressure,
           .volume_out = vessel_.volume_out(k)};
 }
 

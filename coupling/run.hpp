@@ -35,9 +35,9 @@ struct CoupledOptions {
   std::function<void(double)> progress = {};  // share of the filling done
 };
 
-/// What an opening shows after a step.
+/// What an opening shows after a step; flow and pressure are means over the last two milliseconds.
 struct PortReading {
-  double flow_out = 0;    // m3/s, mean of the last two milliseconds
+  double flow_out = 0;    // m3/s
   double pressure = 0;    // Pa, physical
   double volume_out = 0;  // m3
 };
@@ -86,9 +86,10 @@ class CoupledRun {
 
   struct Sample {
     double time;
-    std::vector<double> volume;
+    std::vector<double> volume;    // m3, out
+    std::vector<double> pressure;  // Pa s, integrated since the start
   };
-  std::vector<Sample> recent_;  // volumes of the last milliseconds, oldest first
+  std::vector<Sample> recent_;  // of the last milliseconds, oldest first
 };
 
 extern template class CoupledRun<2>;

@@ -80,7 +80,7 @@ FlowScales flow_scales(const Case& study, const Setup<D>& setup, const std::opti
   scales.length = length_of(setup.lumen);
   scales.sound_speed = study.fluid.sound_speed.value_or(10.0 * scales.speed);
   scales.inner_pressure = 0.5 * rho * scales.speed * scales.speed + rho * scales.length * rate;
-  scales.datum_time = std::clamp(0.2 * scales.length / scales.sound_speed, 2e-3, 5e-3);
+  scales.datum_time = std::clamp(0.125 * scales.length / scales.sound_speed, 2e-3, 5e-3);
   scales.background = scales.inner_pressure + scales.datum_time * (start ? start->max_pressure_rate : 0.0);
   return scales;
 }

@@ -10,6 +10,7 @@
 #include "app/fields_output.hpp"
 #include "app/flow_scales.hpp"
 #include "app/interrupt.hpp"
+#include "app/results/account.hpp"
 #include "app/results/recorder.hpp"
 #include "app/vessel_setup.hpp"
 #include "core/error.hpp"
@@ -77,8 +78,9 @@ class Session {
         recorder_(study, options.case_name, options.folder, effective_case(study, setup.model), names(setup)),
         fields_(options.folder.path(), run_.vessel().model(),
                 study.output.fields_every.value_or(study.time.period.value_or(end_) / 10.0)),
-        progress_({.end = end_, .period = study.time.period.value_or(0.0), .quiet = options.quiet}),
-        volume_at_start_(run_.volume_inside()) {}
+        progress_({.end = end_, .period = study.time.period.value_or(0.0), .quiet = options.quiet}) {
+    account_.volume_at_start = run_.volume_inside();
+  }
 
   int go() {
     introduce();
@@ -92,6 +94,7 @@ class Session {
     }
     progress_.finish();
     const bool stopped = run_.time() < end_ * (1.0 - 1e-12);
+    judge();
     recorder_.finish(stopped ? Status::interrupted : Status::finished, facts());
     conclude(stopped);
     return stopped ? exit_interrupted : exit_ok;
@@ -119,9 +122,7 @@ class Session {
 
   void advance() {
     const auto report = run_.step(end_);
-    particle_steps_ += static_cast<double>(report.particles) * report.acoustic_steps;
-    max_speed_ = std::max(max_speed_, report.max_speed);
-    max_density_error_ = std::max(max_density_error_, report.max_density_error);
+    account_.add(report);
     record(report);
     if (progress_.due()) {
       recorder_.flush();
@@ -139,6 +140,7 @@ class Session {
   }
 
   void record(const sph3d::StepReport& report) {
+    const sph3d::Stopwatch watch(account_.output);
     std::vector<PortRow> rows;
     double in = 0, out = 0;
     for (int k = 0; k < run_.port_count(); ++k) {
@@ -149,51 +151,73 @@ class Session {
     series_.resize(run_.network().series_names().size());
     run_.network().series(series_);
     recorder_.row(run_.time(), rows, series_);
-    discrepancy_ = run_.volume_inside() - volume_at_start_ + in + out;
-    largest_discrepancy_ = std::max(largest_discrepancy_, std::abs(discrepancy_));
-    inflow_ = std::max(inflow_, std::abs(in));
+    const double discrepancy = account_.balance(run_.volume_inside(), -in, out);
     recorder_.balance({.time = run_.time(),
                        .volume_inside = run_.volume_inside(),
                        .in = -in,
                        .out = out,
-                       .discrepancy = discrepancy_,
+                       .discrepancy = discrepancy,
                        .kinetic_energy = report.kinetic_energy,
                        .max_density_error = report.max_density_error,
-                       .escaped = run_.vessel().state().escaped});
+                       .escaped = run_.vessel().state().escaped,
+                       .bound = name(report.bound)});
     fields_.write_if_due(run_.vessel());
   }
 
-  nlohmann::json facts() const {
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
-    const auto& state = run_.vessel().state();
-    const int threads = omp_get_max_threads();
-    return {{"particles", state.fluid.count()},
-            {"advection_steps", state.steps},
-            {"acoustic_steps", state.acoustic_steps},
-            {"exchanges", run_.exchanges()},
-            {"threads", threads},
-            {"kernels", sph3d::fluid_kernels<D>().name},
-            {"wall_time_s", wall},
-            {"network_time_s", run_.network_seconds()},
-            {"particle_steps_per_second_per_core", particle_steps_ / std::max(wall, 1e-9) / threads},
-            {"sound_speed_m_s", scales_.sound_speed},
-            {"max_speed_m_s", max_speed_},
-            {"max_density_error", max_density_error_},
-            {"fluid_storage_m3_Pa", run_.vessel().storage()},
-            {"network_compliance_m3_Pa", run_.network().total_compliance()},
-            {"mass_balance_relative_to_inflow", inflow_ > 0 ? largest_discrepancy_ / inflow_ : 0.0},
-            {"escaped_particles", state.escaped},
-            {"particles_put_back_inside", state.mirrored}};
+  double wall() const {
+    return account_.wall + std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
   }
 
-  void conclude(bool stopped) {
-    log::info("{}", recorder_.table());
-    if (max_speed_ > 0.15 * scales_.sound_speed)
+  std::vector<Check> checks() const {
+    return checks_of(account_, scales_.sound_speed, run_.vessel().state().escaped);
+  }
+
+  nlohmann::json facts() const {
+    Account account = account_;
+    account.network = run_.network_seconds();
+    const auto& state = run_.vessel().state();
+    const int threads = omp_get_max_threads();
+    return {
+        {"particles", state.fluid.count()},
+        {"advection_steps", state.steps},
+        {"acoustic_steps", state.acoustic_steps},
+        {"exchanges", run_.exchanges()},
+        {"threads", threads},
+        {"kernels", sph3d::fluid_kernels<D>().name},
+        {"wall_time_s", wall()},
+        {"network_time_s", account.network},
+        {"phases_s", phases_json(account, wall())},
+        {"step_bounds", bounds_json(account)},
+        {"particle_steps_per_second_per_core", account.particle_steps / std::max(wall(), 1e-9) / threads},
+        {"sound_speed_m_s", scales_.sound_speed},
+        {"max_speed_m_s", account.max_speed},
+        {"max_density_error", account.max_density_error},
+        {"fluid_storage_m3_Pa", run_.vessel().storage()},
+        {"network_compliance_m3_Pa", run_.network().total_compliance()},
+        {"mass_balance_relative_to_inflow", account.inflow > 0 ? account.discrepancy / account.inflow : 0.0},
+        {"escaped_particles", state.escaped},
+        {"particles_put_back_inside", state.mirrored},
+        {"checks", checks_json(checks())}};
+  }
+
+  /// Says which checks have failed; before the summary is written, which holds all warnings.
+  void judge() const {
+    for (const auto& check : checks())
+      if (!check.passed())
+        log::warn("check failed: {} is {:.3g}, allowed is {:.3g}", check.name, check.value, check.allowed);
+    if (account_.max_speed > 0.15 * scales_.sound_speed)
       log::warn(
           "the blood reached {:.3g} m/s, more than 15 % of the sound speed of {:.3g} m/s; set "
           "fluid.sound_speed to "
           "{:.3g} m/s for density variations below 1 %",
-          max_speed_, scales_.sound_speed, 10 * max_speed_);
+          account_.max_speed, scales_.sound_speed, 10 * account_.max_speed);
+  }
+
+  void conclude(bool stopped) {
+    log::info("{}", recorder_.table());
+    Account account = account_;
+    account.network = run_.network_seconds();
+    log::info("{}", phases_line(account, wall(), omp_get_max_threads()));
     if (stopped)
       log::info("interrupted at {:.4g} of {:.4g} s; what was reached is in {}", recorder_.reached(), end_,
                 recorder_.folder().path().string());
@@ -209,8 +233,7 @@ class Session {
   Recorder recorder_;
   FieldsOutput<D> fields_;
   Progress progress_;
-  double volume_at_start_, discrepancy_ = 0, largest_discrepancy_ = 0, inflow_ = 0;
-  double particle_steps_ = 0, max_speed_ = 0, max_density_error_ = 0;
+  Account account_;
   std::vector<double> series_;
   std::chrono::steady_clock::time_point began_;
 };

@@ -61,11 +61,32 @@ void Vessel<D>::start_datum(const PressureDatum& datum) {
 
 template <int D>
 StepReport Vessel<D>::advance(double dt_limit, std::span<const Drive> drives, double filter_time) {
-  const auto& options = model_->options;
-  if (state_.steps % options.reorder_every == 0) state_.fluid.reorder();
-  const double dt = time_step(dt_limit);
+  PhaseSeconds seconds;
+  const auto [dt, bound] = time_step(dt_limit);
   const int n = std::max(1, static_cast<int>(std::ceil(dt / acoustic_time_step() - 1e-6)));
+  prepare(dt, dt / n, seconds);
+  for (int k = 1; k <= n; ++k) acoustic_step(dt / n, k == n, drives, filter_time, seconds);
+  {
+    const Stopwatch watch(seconds.advection);
+    move();
+  }
+  {
+    const Stopwatch watch(seconds.openings);
+    renew_ports(*model_, state_, work_);
+  }
+  ++state_.steps;
+  state_.acoustic_steps += n;
+  StepReport done = report(dt, n);
+  done.bound = bound;
+  done.seconds = seconds;
+  return done;
+}
 
+/// What is done once per advection step, with the positions it starts from.
+template <int D>
+void Vessel<D>::prepare(double dt, double acoustic_dt, PhaseSeconds& seconds) {
+  const Stopwatch watch(seconds.advection);
+  if (state_.steps % model_->options.reorder_every == 0) state_.fluid.reorder();
   freeze(*model_, state_.fluid, work_);
   find_zones(*model_, state_.fluid, work_);
   look_around(*model_, state_.fluid, work_);
@@ -73,14 +94,7 @@ StepReport Vessel<D>::advance(double dt_limit, std::span<const Drive> drives, do
   correct_density(*model_, state_.fluid, work_, dt);
   correct_gradients(*model_, state_.fluid, work_);
   prepare_forces(*model_, state_.fluid, work_);
-  first_pressures(dt / n);
-  for (int k = 1; k <= n; ++k) acoustic_step(dt / n, k == n, drives, filter_time);
-  move();
-  renew_ports(*model_, state_, work_);
-
-  ++state_.steps;
-  state_.acoustic_steps += n;
-  return report(dt, n);
+  first_pressures(acoustic_dt);
 }
 
 template <int D>
@@ -90,13 +104,19 @@ double Vessel<D>::acoustic_time_step() const {
 
 /// Shortly before the limit the rest is divided evenly, so that no sliver of a step is left.
 template <int D>
-double Vessel<D>::time_step(double dt_limit) const {
+std::pair<double, StepBound> Vessel<D>::time_step(double dt_limit) const {
+  using enum StepBound;
   const auto& o = model_->options;
   const double h = model_->kernel.h;
-  const double speed = std::max(
-      {state_.max_speed, std::sqrt(4.0 * h * state_.max_acceleration), o.reference_speed, o.viscosity / h});
-  const double dt = std::min(o.advection_cfl * h / speed, o.most_acoustic_steps * acoustic_time_step());
-  return dt_limit < 2.0 * dt ? dt_limit / std::max(1.0, std::ceil(dt_limit / dt - 1e-9)) : dt;
+  const auto [fastest, bound] =
+      std::max({std::pair(o.reference_speed, reference), std::pair(state_.max_speed, speed),
+                std::pair(std::sqrt(4.0 * h * state_.max_acceleration), acceleration),
+                std::pair(o.viscosity / h, viscosity)},
+               [](const auto& a, const auto& b) { return a.first < b.first; });
+  const double advection = o.advection_cfl * h / fastest, most = o.most_acoustic_steps * acoustic_time_step();
+  const double dt = std::min(advection, most);
+  if (dt_limit < 2.0 * dt) return {dt_limit / std::max(1.0, std::ceil(dt_limit / dt - 1e-9)), stop};
+  return {dt, most < advection ? acoustic : bound};
 }
 
 /// The density half step left over by the last acoustic step, and with it the records' pressures.
@@ -113,15 +133,23 @@ void Vessel<D>::first_pressures(double dt) {
 }
 
 template <int D>
-void Vessel<D>::acoustic_step(double dt, bool last, std::span<const Drive> drives, double filter_time) {
+void Vessel<D>::acoustic_step(double dt, bool last, std::span<const Drive> drives, double filter_time,
+                              PhaseSeconds& seconds) {
   const auto& kernels = fluid_kernels<D>();
   const FluidConstants constants = constants_of(*model_);
   auto& clusters = state_.fluid.clusters;
-  for_batches(clusters.size(), [&](std::size_t begin, std::size_t end) {
-    kernels.kick(begin, end, clusters.data(), work_.rows.data(), work_.place.data(), work_.velocity.data(),
-                 constants, static_cast<float>(dt));
-  });
-  drive_ports(*model_, state_, work_, drives, dt, filter_time);
+  {
+    const Stopwatch watch(seconds.acoustic);
+    for_batches(clusters.size(), [&](std::size_t begin, std::size_t end) {
+      kernels.kick(begin, end, clusters.data(), work_.rows.data(), work_.place.data(), work_.velocity.data(),
+                   constants, static_cast<float>(dt));
+    });
+  }
+  {
+    const Stopwatch watch(seconds.openings);
+    drive_ports(*model_, state_, work_, drives, dt, filter_time);
+  }
+  const Stopwatch watch(seconds.acoustic);
   for_batches(clusters.size(), [&](std::size_t begin, std::size_t end) {
     kernels.density(begin, end, clusters.data(), work_.rows.data(), work_.place.data(), work_.velocity.data(),
                     constants, static_cast<float>(dt), last ? 0.5f : 1.0f);

@@ -15,6 +15,7 @@
 #include <span>
 
 #include "sph3d/step/model.hpp"
+#include "sph3d/step/phases.hpp"
 #include "sph3d/step/state.hpp"
 #include "sph3d/step/workspace.hpp"
 
@@ -27,6 +28,8 @@ struct StepReport {
   double kinetic_energy = 0;     ///< J
   double max_density_error = 0;  ///< largest |psi| outside the ducts
   std::size_t particles = 0;
+  StepBound bound = StepBound::none;
+  PhaseSeconds seconds{};  ///< of this step
 };
 
 template <int D>
@@ -61,9 +64,11 @@ class Vessel {
 
  private:
   double acoustic_time_step() const;
-  double time_step(double dt_limit) const;
+  std::pair<double, StepBound> time_step(double dt_limit) const;
   void first_pressures(double dt);
-  void acoustic_step(double dt, bool last, std::span<const Drive> drives, double filter_time);
+  void prepare(double dt, double acoustic_dt, PhaseSeconds& seconds);
+  void acoustic_step(double dt, bool last, std::span<const Drive> drives, double filter_time,
+                     PhaseSeconds& seconds);
   void move();
   StepReport report(double dt, int acoustic_steps);
 

@@ -40,11 +40,11 @@ void NetworkCsv::row(double time, std::span<const double> values) {
 
 BalanceCsv::BalanceCsv(const std::filesystem::path& file)
     : csv_(file, {"time_s", "volume_inside_m3", "volume_in_m3", "volume_out_m3", "discrepancy_m3",
-                  "kinetic_energy_J", "max_density_error", "escaped_particles"}) {}
+                  "kinetic_energy_J", "max_density_error", "escaped_particles", "step_bound"}) {}
 
 void BalanceCsv::row(const BalanceRow& r) {
   csv_ << r.time << r.volume_inside << r.in << r.out << r.discrepancy << r.kinetic_energy
-       << r.max_density_error << static_cast<double>(r.escaped);
+       << r.max_density_error << static_cast<double>(r.escaped) << r.bound;
   csv_.end_row();
 }
 

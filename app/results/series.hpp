@@ -55,6 +55,7 @@ struct BalanceRow {
   double kinetic_energy = 0;                  // J
   double max_density_error = 0;               // -, relative to the rest density
   long escaped = 0;                           // particles lost through the wall
+  std::string bound = "none";                 // what limited the last step: sph3d/step/phases
 };
 
 class BalanceCsv {

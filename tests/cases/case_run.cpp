@@ -64,6 +64,24 @@ Signal column(const Table& table, const std::string& name) {
   return {table.columns[0], table.columns[at - table.names.begin()]};
 }
 
+Signal column(const std::filesystem::path& file, const std::string& name) {
+  std::ifstream stream(file);
+  std::string line, cell;
+  const auto cells = [&] {
+    std::vector<std::string> all;
+    std::getline(stream, line);
+    for (std::istringstream rest(line); std::getline(rest, cell, ',');) all.push_back(cell);
+    return all;
+  };
+  const auto names = cells();
+  const auto at = std::find(names.begin(), names.end(), name) - names.begin();
+  if (at == static_cast<std::ptrdiff_t>(names.size())) throw std::runtime_error("no column " + name);
+  Signal signal;
+  for (auto row = cells(); stream; row = cells())
+    signal.time.push_back(std::stod(row[0])), signal.value.push_back(std::stod(row[at]));
+  return signal;
+}
+
 std::filesystem::path CaseRun::geometry(const std::string& shape_and_options) const {
   const Outcome outcome = ostium("geometry " + shape_and_options + " -o vessel.stl");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
@@ -83,13 +101,21 @@ void CaseRun::run(const std::string& name, const std::string& options) {
 void CaseRun::expect_vessel_results() const {
   const auto facts = summary();
   EXPECT_TRUE(exists("results/balance.csv"));
-  const Table balance = read_table(folder() / "results/balance.csv");
+  const auto balance = folder() / "results/balance.csv";
   const Signal volume = column(balance, "volume_inside_m3"), gap = column(balance, "discrepancy_m3");
   EXPECT_LE(std::max(gap.max(), -gap.min()),
             1e-10 * volume.max());  // inflows of short runs are tiny
   EXPECT_EQ(facts["escaped_particles"].get<int>(), 0);
   EXPECT_GT(facts["acoustic_steps"].get<long>(), 0);
   EXPECT_LT(facts["max_density_error"].get<double>(), 0.1);
+  double phases = 0, bounds = 0;
+  for (const auto& seconds : facts["phases_s"]) phases += seconds.get<double>();
+  EXPECT_NEAR(phases, facts["wall_time_s"].get<double>(), 0.02 * phases + 0.02);
+  for (const auto& share : facts["step_bounds"]) bounds += share.get<double>();
+  EXPECT_NEAR(bounds, 1, 1e-12);
+  ASSERT_EQ(facts["checks"].size(), 4u);
+  EXPECT_TRUE(facts["checks"][0]["passed"].get<bool>()) << facts["checks"];  // mass balance
+  EXPECT_TRUE(facts["checks"][1]["passed"].get<bool>()) << facts["checks"];  // nobody escaped
   for (const auto& [port, signals] : ports())
     for (const double p : signals.pressure.value) ASSERT_TRUE(std::isfinite(p)) << port;
 }

@@ -30,6 +30,8 @@ std::map<std::string, PortSignals> read_ports(const std::filesystem::path& file)
 
 /// A column of a table with a header, against its first column.
 Signal column(const Table& table, const std::string& name);
+/// The same of a file that also has columns of words (balance.csv).
+Signal column(const std::filesystem::path& file, const std::string& name);
 
 class CaseRun : public ProgramTest {
  protected:

@@ -79,7 +79,7 @@ class FullBackflow : public CaseRun {
  protected:
   /// Volume inside at the end over that at the start, minus one.
   double gain() const {
-    const Signal volume = column(read_table(folder() / "results/balance.csv"), "volume_inside_m3");
+    const Signal volume = column(folder() / "results/balance.csv", "volume_inside_m3");
     return volume.value.back() / volume.value.front() - 1;
   }
 };

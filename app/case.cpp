@@ -6,6 +6,24 @@ network::Initial Case::initial() const {
   return network.initial.value_or(time.period ? network::Initial::periodic : network::Initial::rest);
 }
 
+namespace {
+
+/// An interval mistaken by orders of magnitude fills a disk before anybody notices.
+void check_rows(const Case& study) {
+  constexpr double most = 1e8;  // some 10 GB of text
+  const double rows = study.time.final() / study.output.every;
+  if (rows <= most) return;
+  const auto output = study.origin.find("output");
+  const auto every = output ? output->find("every") : std::nullopt;
+  every.value_or(study.origin)
+      .error(
+          "a row every {:.3g} s until {:.3g} s makes {:.2g} rows, at most {:.0e} are allowed; choose {:.2g} "
+          "s or more",
+          study.output.every, study.time.final(), rows, most, study.time.final() / (0.99 * most));
+}
+
+}  // namespace
+
 Case read_case(const std::filesystem::path& file, const Overrides& overrides) {
   config::Node node = config::Node::load(file);
   if (overrides.surface)
@@ -15,6 +33,7 @@ Case read_case(const std::filesystem::path& file, const Overrides& overrides) {
   if (study.network.initial == network::Initial::periodic && !study.time.period)
     study.origin.at("network").at("initial").error(
         "a start from the periodic state needs \"time.period\"; add it, or choose \"rest\"");
+  check_rows(study);
   return study;
 }
 

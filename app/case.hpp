@@ -71,6 +71,7 @@ struct TimeCase {
 struct OutputCase {
   double every = 0;                    // s
   std::optional<double> fields_every;  // s
+  double checkpoint_every = 0;         // s of wall time
 };
 
 /// Numbers of the methods; a user needs none of them.

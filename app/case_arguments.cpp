@@ -25,6 +25,16 @@ Case CaseArguments::read() const {
   return read_case(file, overrides);
 }
 
+std::string CaseArguments::text() const {
+  const auto quoted = [](const std::string& word) {
+    return word.find_first_of(" '\"{}[]()*?&;|<>$") == std::string::npos ? word : "'" + word + "'";
+  };
+  std::string text = quoted(file);
+  if (!surface.empty()) text += " --surface " + quoted(surface);
+  for (const auto& value : set) text += " --set " + quoted(value);
+  return text;
+}
+
 int CaseArguments::thread_count() const {
   return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }

@@ -19,6 +19,8 @@ struct CaseArguments {
   void add_to(CLI::App& command);
   Case read() const;
   int thread_count() const;
+  /// The arguments as one would type them.
+  std::string text() const;
 };
 
 }  // namespace ostium::app

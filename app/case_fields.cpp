@@ -137,6 +137,12 @@ void declare(config::Fields<OutputCase>& f) {
   f.quantity("fields_every", &OutputCase::fields_every, "s",
              "interval between two sets of fields for ParaView; 0: none, without it a tenth of the period")
       .non_negative();
+  f.quantity(
+       "checkpoint_every", &OutputCase::checkpoint_every, "s",
+       "with a vessel: wall time between two checkpoints, from which `ostium run --resume` goes on; 0: only "
+       "when the run is interrupted or its numerics fail")
+      .non_negative()
+      .or_else(900);
 }
 
 void declare(config::Fields<NumericsCase>& f) {

@@ -21,20 +21,24 @@ void add_run(CLI::App& program, int& code) {
   auto* command = program.add_subcommand("run", "run a case and write its results folder");
   struct Arguments : CaseArguments {
     std::string output;
-    bool force = false, quiet = false;
+    bool force = false, resume = false, quiet = false;
   };
   auto a = std::make_shared<Arguments>();
   a->add_to(*command);
   command->add_option("-o,--output", a->output, "results folder; default: results/CASE");
-  command->add_flag("--force", a->force, "replace the results of a finished run");
+  auto* force = command->add_flag("--force", a->force, "replace the results of an earlier run");
+  command->add_flag("--resume", a->resume, "go on with an interrupted run from its checkpoint")
+      ->excludes(force);
   command->add_flag("-q,--quiet", a->quiet, "no progress line");
   command->callback([a, &code] {
     const Case study = a->read();
     const std::string name = case_name(a->file);
-    const RunOptions options{.case_name = name,
+    const Earlier earlier = a->resume ? Earlier::resume : a->force ? Earlier::replace : Earlier::refuse;
+    const RunOptions options{.arguments = a->text(),
+                             .case_name = name,
                              .folder = {a->output.empty() ? std::filesystem::path("results") / name
                                                           : std::filesystem::path(a->output),
-                                        a->force},
+                                        earlier},
                              .quiet = a->quiet,
                              .threads = a->thread_count()};
     catch_interrupts();

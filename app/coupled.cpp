@@ -6,12 +6,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/checkpoint/checkpoint.hpp"
+#include "app/checkpoint/saved_run.hpp"
+#include "app/coupled_options.hpp"
 #include "app/effective.hpp"
 #include "app/fields_output.hpp"
-#include "app/flow_scales.hpp"
 #include "app/interrupt.hpp"
-#include "app/results/account.hpp"
-#include "app/results/recorder.hpp"
 #include "app/vessel_setup.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
@@ -23,84 +23,48 @@ namespace {
 
 constexpr double mmHg = 133.322387415;
 
-template <int D>
-sph3d::FluidOptions<D> fluid_options(const Case& study, const FlowScales& scales) {
-  const auto& n = study.numerics;
-  return {.dp = study.vessel->spacing,
-          .density = study.fluid.density,
-          .viscosity = study.fluid.viscosity / study.fluid.density,
-          .sound_speed = scales.sound_speed,
-          .reference_speed = n.reference_speed.value_or(0.5 * scales.speed),
-          .advection_cfl = n.advection_cfl,
-          .acoustic_cfl = n.acoustic_cfl,
-          .shift = n.shift,
-          .limiter = n.limiter,
-          .density_relaxation = n.density_relaxation};
-}
-
-coupling::SchemeKind scheme_of(Scheme scheme) {
-  switch (scheme) {
-    case Scheme::held:
-      return coupling::SchemeKind::held;
-    case Scheme::extrapolated:
-      return coupling::SchemeKind::extrapolated;
-    case Scheme::modified_euler:
-      return coupling::SchemeKind::modified_euler;
-    default:
-      return coupling::SchemeKind::linearised;
-  }
-}
-
-coupling::CoupledOptions coupled_options(const Case& study, const FlowScales& scales) {
-  const double exchange = study.coupling.exchange.value_or(0.0);
-  return {.scheme = scheme_of(study.coupling.scheme),
-          .exchange = exchange,
-          .filter_time = study.coupling.filter_time.value_or(std::max(0.01, 5.0 * exchange)),
-          .datum_time = study.coupling.datum_time.value_or(scales.datum_time),
-          .ramp = std::max(0.01, 3.0 * scales.length / scales.sound_speed),
-          .period = study.time.period.value_or(0.0),
-          .background = scales.background,
-          .force = study.coupling.force};
-}
-
 /// One run: the loop, what is written down on the way, and what is said at the end.
 template <int D>
 class Session {
  public:
   Session(const Case& study, const RunOptions& options, const Setup<D>& setup,
-          const std::optional<network::Start>& start)
+          const std::optional<network::Start>& start, const std::optional<SavedRun<D>>& saved)
       : study_(study),
         options_(options),
+        key_(checkpoint_key(study, setup.model, setup.lumen)),
         scales_(flow_scales(study, setup, start)),
         end_(study.time.final()),
-        run_(setup.lumen, fluid_options<D>(study, scales_), setup.profiles,
-             network::Network(setup.model, setup.ports), start, coupled_options(study, scales_)),
-        recorder_(study, options.case_name, options.folder, effective_case(study, setup.model), names(setup)),
+        run_(make_run(study, scales_, setup, start, saved)),
+        recorder_(study, options.case_name, options.folder, effective_case(study, setup.model), names(setup),
+                  saved ? std::optional(saved->recorded) : std::nullopt),
         fields_(options.folder.path(), run_.vessel().model(),
                 study.output.fields_every.value_or(study.time.period.value_or(end_) / 10.0)),
-        progress_({.end = end_, .period = study.time.period.value_or(0.0), .quiet = options.quiet}) {
+        progress_({.start = run_.time(),
+                   .end = end_,
+                   .period = study.time.period.value_or(0.0),
+                   .quiet = options.quiet}),
+        steps_before_(run_.vessel().state().acoustic_steps) {
     account_.volume_at_start = run_.volume_inside();
+    if (!saved) return;
+    account_ = saved->account;
+    fields_.resume(saved->fields, saved->time());
   }
 
   int go() {
     introduce();
-    began_ = std::chrono::steady_clock::now();
-    record({});
+    if (run_.vessel().state().steps == 0) record({});
     try {
-      while (run_.time() < end_ * (1.0 - 1e-12) && !interrupted()) advance();
-    } catch (const NumericsError&) {
-      recorder_.finish(Status::failed, facts());
-      throw;
+      while (!done() && !interrupted()) advance();
+    } catch (const NumericsError& e) {
+      fail(e);
     }
     progress_.finish();
-    const bool stopped = run_.time() < end_ * (1.0 - 1e-12);
     judge();
-    recorder_.finish(stopped ? Status::interrupted : Status::finished, facts());
-    conclude(stopped);
-    return stopped ? exit_interrupted : exit_ok;
+    return done() ? finish() : stop();
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
   static Recorder::Names names(const Setup<D>& setup) {
     Recorder::Names names;
     for (const auto& port : setup.ports) names.ports.push_back(port.opening);
@@ -109,7 +73,21 @@ class Session {
     return names;
   }
 
+  static coupling::CoupledRun<D> make_run(const Case& study, const FlowScales& scales, const Setup<D>& setup,
+                                          const std::optional<network::Start>& start,
+                                          const std::optional<SavedRun<D>>& saved) {
+    const auto fluid = fluid_options<D>(study, scales);
+    const auto options = coupled_options(study, scales);
+    network::Network network(setup.model, setup.ports);
+    if (saved) return {saved->run, setup.lumen, fluid, setup.profiles, std::move(network), options};
+    return {setup.lumen, fluid, setup.profiles, std::move(network), start, options};
+  }
+
+  bool done() const { return run_.time() >= end_ * (1.0 - 1e-12); }
+
   void introduce() {
+    if (options_.folder.resumes())
+      log::info("the run goes on from {:.6g} s, step {}", run_.time(), run_.vessel().state().steps);
     const auto& model = run_.vessel().model();
     log::info(
         "{}: {} particles of {:.3g} mm, sound speed {:.3g} m/s for velocities up to {:.3g} m/s, {} kernels, "
@@ -124,13 +102,67 @@ class Session {
     const auto report = run_.step(end_);
     account_.add(report);
     record(report);
+    keep(report);
     if (progress_.due()) {
       recorder_.flush();
-      progress_.update(run_.time(), run_.vessel().state().acoustic_steps,
+      progress_.update(run_.time(), run_.vessel().state().acoustic_steps - steps_before_,
                        fmt::format("max {:.3g} m/s  {:.4g} mmHg", report.max_speed, mean_pressure() / mmHg));
     } else {
-      progress_.update(run_.time(), run_.vessel().state().acoustic_steps, {});
+      progress_.update(run_.time(), run_.vessel().state().acoustic_steps - steps_before_, {});
     }
+  }
+
+  /// A healthy state now and then in memory, for the case that the next steps fail; a checkpoint when one is due.
+  void keep(const sph3d::StepReport& report) {
+    const sph3d::Stopwatch watch(account_.output);
+    constexpr int interval = 100;  // steps
+    const bool healthy = report.max_speed < 0.3 * scales_.sound_speed && report.max_density_error < 0.1;
+    if (healthy && run_.vessel().state().steps % interval == 0) good_ = save();
+    const double every = study_.output.checkpoint_every;
+    if (every <= 0 || seconds_since(saved_) < every) return;
+    write(save());
+    saved_ = Clock::now();
+  }
+
+  SavedRun<D> save() {
+    SavedRun<D> saved{run_.save(), recorder_.save(), account_, fields_.save()};
+    saved.account.wall = wall();
+    return saved;
+  }
+
+  void write(SavedRun<D> saved) const {
+    write_checkpoint(options_.folder.checkpoint(), key_, [&](Archive& a) { archive(a, saved); });
+  }
+
+  [[noreturn]] void fail(const NumericsError& error) {
+    progress_.finish();
+    recorder_.finish(Status::failed, facts());
+    if (!good_) throw error;
+    const double time = good_->time();
+    write(std::move(*good_));
+    numerics_error(
+        "{}\nthe last sound state, of {:.6g} s, is saved; go on from there, with smaller steps: {} --set "
+        "numerics.acoustic_cfl={:.2g} --set numerics.advection_cfl={:.2g}",
+        error.what(), time, options_.resume_command(), 0.5 * study_.numerics.acoustic_cfl,
+        0.5 * study_.numerics.advection_cfl);
+  }
+
+  int finish() {
+    recorder_.finish(Status::finished, facts());
+    std::error_code ignored;
+    std::filesystem::remove(options_.folder.checkpoint(), ignored);  // nothing to go on with
+    conclude();
+    log::info("results in {}", options_.folder.path().string());
+    return exit_ok;
+  }
+
+  int stop() {
+    write(save());
+    recorder_.finish(Status::interrupted, facts());
+    conclude();
+    log::info("interrupted at {:.4g} of {:.4g} s; go on with: {}", run_.time(), end_,
+              options_.resume_command());
+    return exit_interrupted;
   }
 
   double mean_pressure() const {
@@ -164,9 +196,10 @@ class Session {
     fields_.write_if_due(run_.vessel());
   }
 
-  double wall() const {
-    return account_.wall + std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  static double seconds_since(Clock::time_point t) {
+    return std::chrono::duration<double>(Clock::now() - t).count();
   }
+  double wall() const { return account_.wall + seconds_since(began_); }
 
   std::vector<Check> checks() const {
     return checks_of(account_, scales_.sound_speed, run_.vessel().state().escaped);
@@ -213,30 +246,37 @@ class Session {
           account_.max_speed, scales_.sound_speed, 10 * account_.max_speed);
   }
 
-  void conclude(bool stopped) {
-    log::info("{}", recorder_.table());
+  void conclude() const {
     Account account = account_;
     account.network = run_.network_seconds();
+    log::info("{}", recorder_.table());
     log::info("{}", phases_line(account, wall(), omp_get_max_threads()));
-    if (stopped)
-      log::info("interrupted at {:.4g} of {:.4g} s; what was reached is in {}", recorder_.reached(), end_,
-                recorder_.folder().path().string());
-    else
-      log::info("results in {}", recorder_.folder().path().string());
   }
 
   const Case& study_;
   const RunOptions& options_;
+  CheckpointKey key_;
   FlowScales scales_;
   double end_;
   coupling::CoupledRun<D> run_;
   Recorder recorder_;
   FieldsOutput<D> fields_;
   Progress progress_;
+  std::int64_t steps_before_;
   Account account_;
+  std::optional<SavedRun<D>> good_;
   std::vector<double> series_;
-  std::chrono::steady_clock::time_point began_;
+  Clock::time_point began_ = Clock::now(), saved_ = began_;
 };
+
+template <int D>
+std::optional<SavedRun<D>> saved_run(const Case& study, const RunOptions& options, const Setup<D>& setup) {
+  if (!options.folder.resumes()) return {};
+  SavedRun<D> saved;
+  read_checkpoint(options.folder.checkpoint(), checkpoint_key(study, setup.model, setup.lumen),
+                  [&](Archive& a) { archive(a, saved); });
+  return saved;
+}
 
 template <int D>
 int run(const Case& study, const RunOptions& options) {
@@ -246,8 +286,9 @@ int run(const Case& study, const RunOptions& options) {
   const double useful = std::ceil(particle_count(study, setup.lumen) / particles_per_thread);
   if (options.threads > 0)
     omp_set_num_threads(static_cast<int>(std::clamp<double>(useful, 1.0, options.threads)));
+  const auto saved = saved_run(study, options, setup);
   const auto start = start_of(study, setup.model, setup.ports);
-  return Session<D>(study, options, setup, start).go();
+  return Session<D>(study, options, setup, start, saved).go();
 }
 
 }  // namespace

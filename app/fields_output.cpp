@@ -21,6 +21,13 @@ FieldsOutput<D>::FieldsOutput(const std::filesystem::path& results, const sph3d:
 }
 
 template <int D>
+void FieldsOutput<D>::resume(const Thinning& saved, double time) {
+  thinning_.go_on(saved);
+  for (auto* series : {&fluid_, &wall_, &surface_})
+    series->resume(time * (1.0 + 1e-9));  // the series has its times in twelve digits
+}
+
+template <int D>
 void FieldsOutput<D>::write_if_due(const sph3d::Vessel<D>& vessel) {
   if (!on_ || !thinning_.due(vessel.time())) return;
   const std::string number = fmt::format("{:05d}.vtp", fluid_.size());

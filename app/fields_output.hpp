@@ -18,6 +18,10 @@ class FieldsOutput {
   /// every: s between two times; 0: nothing is written.
   FieldsOutput(const std::filesystem::path& results, const sph3d::Model<D>& model, double every);
   void write_if_due(const sph3d::Vessel<D>& vessel);
+  /// When the next fields are due.
+  Thinning save() const { return thinning_; }
+  /// Goes on with the series of an earlier sitting that reached `time`, s.
+  void resume(const Thinning& saved, double time);
   std::size_t times() const { return fluid_.size(); }
 
  private:

@@ -7,10 +7,16 @@
 namespace ostium::app {
 
 struct RunOptions {
+  std::string arguments;  // of the case: file, overrides
   std::string case_name;
   ResultsFolder folder;
   bool quiet = false;
   int threads = 0;  // 0: as many as the machine has
+
+  /// The command that goes on with this run.
+  std::string resume_command() const {
+    return "ostium run " + arguments + " -o " + folder.path().string() + " --resume";
+  }
 };
 
 inline constexpr int exit_ok = 0, exit_user_error = 2, exit_numerics_error = 3, exit_bug = 70,

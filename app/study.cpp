@@ -2,9 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/checkpoint/checkpoint.hpp"
 #include "app/effective.hpp"
 #include "app/interrupt.hpp"
 #include "app/results/recorder.hpp"
+#include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/progress.hpp"
 #include "network/network.hpp"
@@ -12,53 +14,113 @@
 namespace ostium::app {
 namespace {
 
-int report(Recorder& recorder, bool stopped, long rows, double end) {
-  recorder.finish(stopped ? Status::interrupted : Status::finished, {{"rows", rows}});
-  log::info("{}", recorder.table());
-  if (stopped)
-    log::info("interrupted at {:.4g} of {:.4g} s; the series up to there are in {}", recorder.reached(), end,
-              recorder.folder().path().string());
-  else
-    log::info("results in {}", recorder.folder().path().string());
-  return stopped ? exit_interrupted : exit_ok;
+struct SavedStudy {
+  network::State state;
+  Recorded recorded;
+  std::int64_t rows = 0;
+};
+
+void archive(Archive& a, SavedStudy& saved) {
+  a.part("network", [&] { network::archive(a, saved.state); });
+  a.part("recorded", [&] { archive(a, saved.recorded); });
+  a("rows", saved.rows);
 }
+
+/// A network alone: rows as they come, a checkpoint where the run ends before its time.
+class StudySession {
+ public:
+  StudySession(const Case& study, const RunOptions& options)
+      : study_(study),
+        options_(options),
+        model_(network::read_model(study.network.blocks)),
+        key_(checkpoint_key(study, model_)),
+        end_(study.time.final()) {
+    if (options.folder.resumes())
+      read_checkpoint(options.folder.checkpoint(), key_, [&](Archive& a) { archive(a, saved_.emplace()); });
+    rows_ = saved_ ? saved_->rows : 0;
+  }
+
+  int go() {
+    const double start = saved_ ? saved_->state.time : 0.0;
+    Progress progress(
+        {.start = start, .end = end_, .period = study_.time.period.value_or(0), .quiet = options_.quiet});
+    try {
+      network::simulate(model_, simulation(), sink(progress));
+    } catch (const NumericsError& e) {
+      if (!recorder_) throw;
+      recorder_->finish(Status::failed, {{"rows", rows_}});
+      numerics_error("{}\nthe last sound state is saved; go on from there with: {}", e.what(),
+                     options_.resume_command());
+    }
+    progress.finish();
+    return stopped_ ? stop() : finish();
+  }
+
+ private:
+  network::SimulateOptions simulation() const {
+    return {.end = end_,
+            .every = study_.output.every,
+            .initial = study_.initial(),
+            .period = study_.time.period.value_or(0),
+            .from = saved_ ? std::optional(saved_->state) : std::nullopt};
+  }
+
+  network::Sink sink(Progress& progress) {
+    return {.begin = [this](const auto& names) { begin(names); },
+            .row =
+                [&](double t, std::span<const double> values) {
+                  recorder_->row(t, {}, values);
+                  progress.update(t, ++rows_);
+                  stopped_ = interrupted() && t < end_;
+                  return !stopped_;
+                },
+            .keep = [this](const network::State& state) { keep(state); }};
+  }
+
+  /// Nothing can be wrong with the input any more.
+  void begin(const std::vector<std::string>& names) {
+    recorder_.emplace(study_, options_.case_name, options_.folder, effective_case(study_, model_),
+                      Recorder::Names{{}, names}, saved_ ? std::optional(saved_->recorded) : std::nullopt);
+    log::info("{}: {} blocks, {} series, to {:.4g} s", options_.case_name, model_.entries.size(),
+              names.size(), end_);
+    if (saved_) log::info("the run goes on from {:.6g} s", saved_->state.time);
+  }
+
+  void keep(const network::State& state) {
+    SavedStudy saved{state, recorder_->save(), rows_};
+    write_checkpoint(options_.folder.checkpoint(), key_, [&](Archive& a) { archive(a, saved); });
+  }
+
+  int finish() {
+    recorder_->finish(Status::finished, {{"rows", rows_}});
+    std::error_code ignored;
+    std::filesystem::remove(options_.folder.checkpoint(), ignored);  // nothing to go on with
+    log::info("{}", recorder_->table());
+    log::info("results in {}", options_.folder.path().string());
+    return exit_ok;
+  }
+
+  int stop() {
+    recorder_->finish(Status::interrupted, {{"rows", rows_}});
+    log::info("{}", recorder_->table());
+    log::info("interrupted at {:.4g} of {:.4g} s; go on with: {}", recorder_->reached(), end_,
+              options_.resume_command());
+    return exit_interrupted;
+  }
+
+  const Case& study_;
+  const RunOptions& options_;
+  network::Model model_;
+  CheckpointKey key_;
+  double end_;
+  std::optional<SavedStudy> saved_;
+  std::optional<Recorder> recorder_;
+  std::int64_t rows_ = 0;
+  bool stopped_ = false;
+};
 
 }  // namespace
 
-int run_study(const Case& study, const RunOptions& options) {
-  const network::Model model = network::read_model(study.network.blocks);
-  const double end = study.time.final();
-  std::optional<Recorder> recorder;
-  Progress progress({.end = end, .period = study.time.period.value_or(0), .quiet = options.quiet});
-  long rows = 0;
-  bool stopped = false;
-
-  network::Sink sink;
-  sink.begin = [&](const std::vector<std::string>& names) {  // nothing can be wrong with the input any more
-    recorder.emplace(study, options.case_name, options.folder, effective_case(study, model),
-                     Recorder::Names{{}, names});
-    log::info("{}: {} blocks, {} series, to {:.4g} s", options.case_name, model.entries.size(), names.size(),
-              end);
-  };
-  sink.row = [&](double t, std::span<const double> values) {
-    recorder->row(t, {}, values);
-    progress.update(t, ++rows);
-    stopped = interrupted() && t < end;
-    return !stopped;
-  };
-  try {
-    network::simulate(model,
-                      {.end = end,
-                       .every = study.output.every,
-                       .initial = study.initial(),
-                       .period = study.time.period.value_or(0)},
-                      sink);
-  } catch (const NumericsError&) {
-    if (recorder) recorder->finish(Status::failed, {{"rows", rows}});
-    throw;
-  }
-  progress.finish();
-  return report(*recorder, stopped, rows, end);
-}
+int run_study(const Case& study, const RunOptions& options) { return StudySession(study, options).go(); }
 
 }  // namespace ostium::app

@@ -72,6 +72,21 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, const std::vector<std::s
   end_row();
 }
 
+CsvWriter::CsvWriter(const std::filesystem::path& file, const std::vector<std::string>& header,
+                     std::uintmax_t bytes)
+    : file_(file), columns_(header.size()) {
+  std::error_code failed;
+  const auto found = std::filesystem::file_size(file, failed);
+  if (failed || found < bytes)
+    user_error(
+        "{}: this file {}, so the run cannot go on with it; start the run anew without --resume",
+        file.string(),
+        failed ? "is missing" : fmt::format("has {} bytes, at the checkpoint it had {}", found, bytes));
+  std::filesystem::resize_file(file, bytes, failed);
+  stream_.open(file, std::ios::binary | std::ios::app);
+  if (failed || !stream_) user_error("{}: this file cannot be written", file.string());
+}
+
 CsvWriter::~CsvWriter() { stream_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size())); }
 
 void CsvWriter::separate() {
@@ -113,6 +128,11 @@ void CsvWriter::flush() {
   stream_.flush();
   buffer_.clear();
   if (!stream_) user_error("{}: writing failed; is the disk full?", file_.string());
+}
+
+std::uintmax_t CsvWriter::bytes() {
+  flush();
+  return std::filesystem::file_size(file_);
 }
 
 Table read_table(const std::filesystem::path& file, int skip) {

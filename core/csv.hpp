@@ -1,5 +1,6 @@
 /// Reading and writing of tables as comma-separated values, independent of the locale.
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <span>
@@ -12,6 +13,8 @@ namespace ostium {
 class CsvWriter {
  public:
   CsvWriter(const std::filesystem::path& file, const std::vector<std::string>& header);
+  /// Goes on with a file: its first `bytes` are kept, what comes after them is cut off. Throws UserError where it is shorter.
+  CsvWriter(const std::filesystem::path& file, const std::vector<std::string>& header, std::uintmax_t bytes);
   ~CsvWriter();
   CsvWriter(const CsvWriter&) = delete;
   CsvWriter& operator=(const CsvWriter&) = delete;
@@ -21,6 +24,7 @@ class CsvWriter {
   void end_row();  // asserts that the row has as many cells as the header
   void row(std::span<const double> cells);
   void flush();
+  std::uintmax_t bytes();  // of the file, with everything written so far
 
  private:
   void separate();

@@ -5,6 +5,7 @@
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <mutex>
 
@@ -68,10 +69,10 @@ void write_warning(const std::string& text) {
   outlets().logger.warn("warning: {}", text);
 }
 
-void open_file(const std::filesystem::path& file) {
+void open_file(const std::filesystem::path& file, bool append) {
   close_file();
   try {
-    outlets().file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(file.string(), true);
+    outlets().file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(file.string(), !append);
   } catch (const spdlog::spdlog_ex&) {
     user_error("{}: the log cannot be written", file.string());
   }
@@ -91,6 +92,14 @@ void show_on_terminal(bool on) {
 
 const std::vector<std::string>& warnings() { return outlets().warnings; }
 void forget_warnings() { outlets().warnings.clear(); }
+
+void recall_warnings(const std::vector<std::string>& earlier) {
+  auto all = earlier;
+  for (const auto& text : outlets().warnings)
+    if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+  outlets().warnings = std::move(all);
+}
+
 void set_status_line(const std::string& line) { outlets().terminal->status(line); }
 
 }  // namespace ostium::log

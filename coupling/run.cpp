@@ -44,14 +44,13 @@ double seconds() {
 }  // namespace
 
 template <int D>
-CoupledRun<D>::CoupledRun(const sph3d::Lumen<D>& lumen, const sph3d::FluidOptions<D>& fluid,
-                          const std::vector<sph3d::Profile>& profiles, network::Network network,
-                          const std::optional<network::Start>& begin, const CoupledOptions& options)
+CoupledRun<D>::CoupledRun(network::Network network, const std::vector<sph3d::Profile>& profiles,
+                          const MakeVessel& make, const CoupledOptions& options)
     : options_(options),
       network_(std::move(network)),
-      vessel_(lumen, fluid, roles_of(network_, profiles), options.background, options.progress),
-      scheme_(make_scheme(options.scheme, network_)),
-      drives_(network_.port_count()) {
+      vessel_(make(roles_of(network_, profiles))),
+      scheme_(make_scheme(options.scheme, network_)) {
+  const auto& fluid = vessel_.model().options;
   const double omega1 = options.period > 0 ? 2.0 * pi / options.period : 0.0;
   const double h = 1.3 * fluid.dp, acoustic = fluid.acoustic_cfl * h / fluid.sound_speed;
   const double advection =
@@ -62,7 +61,39 @@ CoupledRun<D>::CoupledRun(const sph3d::Lumen<D>& lumen, const sph3d::FluidOption
       {.window = window, .filter_time = options.filter_time, .delay = 4.0 * fluid.dp / fluid.sound_speed},
       omega1);
   warnings_ = check_stability(stability_, options.scheme, options.force);
+}
+
+template <int D>
+CoupledRun<D>::CoupledRun(const sph3d::Lumen<D>& lumen, const sph3d::FluidOptions<D>& fluid,
+                          const std::vector<sph3d::Profile>& profiles, network::Network network,
+                          const std::optional<network::Start>& begin, const CoupledOptions& options)
+    : CoupledRun(
+          std::move(network), profiles,
+          [&](auto roles) {
+            return sph3d::Vessel<D>(lumen, fluid, std::move(roles), options.background, options.progress);
+          },
+          options) {
   start(begin);
+}
+
+template <int D>
+CoupledRun<D>::CoupledRun(CoupledState<D> saved, const sph3d::Lumen<D>& lumen,
+                          const sph3d::FluidOptions<D>& fluid, const std::vector<sph3d::Profile>& profiles,
+                          network::Network network, const CoupledOptions& options)
+    : CoupledRun(
+          std::move(network), profiles,
+          [&](auto roles) {
+            return sph3d::Vessel<D>(lumen, fluid, std::move(roles), std::move(saved.vessel));
+          },
+          options) {
+  network_.load(saved.network);
+  scheme_->load(saved.scheme);
+  carried_ = std::move(saved.exchanged);
+}
+
+template <int D>
+CoupledState<D> CoupledRun<D>::save() const {
+  return {vessel_.saved(), network_.save(), scheme_->save(), carried_};
 }
 
 template <int D>
@@ -79,10 +110,11 @@ void CoupledRun<D>::start(const std::optional<network::Start>& begin) {
   vessel_.start_datum(datum);
   const double window = stability_.exchange.window;
   const Laws laws = scheme_->start(network_, window);
+  carried_.drives.resize(laws.size());
   for (int k = 0; k < port_count(); ++k) {
-    drives_[k].law = laws[k];
+    carried_.drives[k].law = laws[k];
     vessel_.port(k).filter = sph3d::ComplementaryFilter::started_at(0.0);
-    volume_at_exchange_.push_back(vessel_.volume_out(k));
+    carried_.volume_at_exchange.push_back(vessel_.volume_out(k));
   }
   update_drives();
   remember_flows();
@@ -96,22 +128,22 @@ void CoupledRun<D>::update_drives() {
   for (int k = 0; k < port_count(); ++k) {
     if (network_.kind(k) != network::PortKind::flow) continue;
     const double now = network_.flow_into_vessel(k, t);
-    drives_[k].since = t;
-    drives_[k].flow_in = share * now;
-    drives_[k].flow_slope = rising < 1.0 ? 0.0 : (network_.flow_into_vessel(k, t + dt) - now) / dt;
+    carried_.drives[k].since = t;
+    carried_.drives[k].flow_in = share * now;
+    carried_.drives[k].flow_slope = rising < 1.0 ? 0.0 : (network_.flow_into_vessel(k, t + dt) - now) / dt;
   }
 }
 
 template <int D>
 double CoupledRun<D>::next_stop(double t_end) const {
-  return options_.exchange > 0 ? std::min(t_end, last_exchange_ + options_.exchange) : t_end;
+  return options_.exchange > 0 ? std::min(t_end, carried_.last_exchange + options_.exchange) : t_end;
 }
 
 template <int D>
 sph3d::StepReport CoupledRun<D>::step(double t_end) {
   update_drives();
   const double stop = next_stop(t_end);
-  const auto report = vessel_.advance(stop - time(), drives_, options_.filter_time);
+  const auto report = vessel_.advance(stop - time(), carried_.drives, options_.filter_time);
   remember_flows();
   if (options_.exchange <= 0 || time() >= stop - 1e-9 * std::max(stop, 1.0)) exchange();
   return report;
@@ -119,42 +151,43 @@ sph3d::StepReport CoupledRun<D>::step(double t_end) {
 
 template <int D>
 void CoupledRun<D>::exchange() {
-  const double begin = seconds(), window = time() - last_exchange_;
+  const double begin = seconds(), window = time() - carried_.last_exchange;
   std::vector<double> mean_flow;
   for (int k = 0; k < port_count(); ++k) {
-    mean_flow.push_back((vessel_.volume_out(k) - volume_at_exchange_[k]) / window);
-    volume_at_exchange_[k] = vessel_.volume_out(k);
+    mean_flow.push_back((vessel_.volume_out(k) - carried_.volume_at_exchange[k]) / window);
+    carried_.volume_at_exchange[k] = vessel_.volume_out(k);
   }
   const Laws laws = scheme_->exchange(network_, window, mean_flow);
-  last_exchange_ = time();
+  carried_.last_exchange = time();
   for (int k = 0; k < port_count(); ++k) {
     auto& port = vessel_.port(k);
     const double before = port.filter.q_counted;
     port.filter.step_counted(mean_flow[k], window, options_.filter_time);
     port.flow_rate = (port.filter.q_counted - before) / window;
-    drives_[k].law = laws[k];
-    drives_[k].since = time();
+    carried_.drives[k].law = laws[k];
+    carried_.drives[k].since = time();
   }
-  ++exchanges_;
-  network_seconds_ += seconds() - begin;
+  ++carried_.exchanges;
+  carried_.network_seconds += seconds() - begin;
 }
 
 template <int D>
 void CoupledRun<D>::remember_flows() {
   Sample sample{time(), {}, {}};
   for (int k = 0; k < port_count(); ++k) {
-    const double before = recent_.empty() ? 0.0 : recent_.back().pressure[k];
-    const double dt = recent_.empty() ? 0.0 : time() - recent_.back().time;
+    const double before = carried_.recent.empty() ? 0.0 : carried_.recent.back().pressure[k];
+    const double dt = carried_.recent.empty() ? 0.0 : time() - carried_.recent.back().time;
     sample.volume.push_back(vessel_.volume_out(k));
     sample.pressure.push_back(before + dt * vessel_.state().ports[k].pressure);
   }
-  recent_.push_back(std::move(sample));
-  while (recent_.size() > 2 && recent_[1].time <= time() - flow_window) recent_.erase(recent_.begin());
+  carried_.recent.push_back(std::move(sample));
+  while (carried_.recent.size() > 2 && carried_.recent[1].time <= time() - flow_window)
+    carried_.recent.erase(carried_.recent.begin());
 }
 
 template <int D>
 PortReading CoupledRun<D>::port(int k) const {
-  const Sample &first = recent_.front(), &last = recent_.back();
+  const Sample &first = carried_.recent.front(), &last = carried_.recent.back();
   const double span = last.time - first.time;
   return {.flow_out = span > 0 ? (last.volume[k] - first.volume[k]) / span : 0.0,
           .pressure =

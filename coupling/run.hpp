@@ -20,6 +20,7 @@
 
 #include "coupling/scheme.hpp"
 #include "coupling/stability.hpp"
+#include "coupling/state.hpp"
 #include "network/network.hpp"
 #include "network/periodic.hpp"
 #include "sph3d/vessel.hpp"
@@ -49,6 +50,12 @@ class CoupledRun {
              const std::vector<sph3d::Profile>& profiles, network::Network network,
              const std::optional<network::Start>& start, const CoupledOptions& options);
 
+  /// Goes on where a run of the same case was saved, with the same bits.
+  CoupledRun(CoupledState<D> saved, const sph3d::Lumen<D>& lumen, const sph3d::FluidOptions<D>& fluid,
+             const std::vector<sph3d::Profile>& profiles, network::Network network,
+             const CoupledOptions& options);
+  CoupledState<D> save() const;
+
   /// One advection step, not beyond t_end; then an exchange if one is due.
   sph3d::StepReport step(double t_end);
 
@@ -62,10 +69,13 @@ class CoupledRun {
   const network::Network& network() const { return network_; }
   const StabilityNumbers& stability() const { return stability_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
-  std::int64_t exchanges() const { return exchanges_; }
-  double network_seconds() const { return network_seconds_; }
+  std::int64_t exchanges() const { return carried_.exchanges; }
+  double network_seconds() const { return carried_.network_seconds; }
 
  private:
+  using MakeVessel = std::function<sph3d::Vessel<D>(std::vector<sph3d::OpeningRole>)>;
+  CoupledRun(network::Network network, const std::vector<sph3d::Profile>& profiles, const MakeVessel& make,
+             const CoupledOptions& options);
   void start(const std::optional<network::Start>& start);
   double next_stop(double t_end) const;
   void update_drives();
@@ -76,20 +86,9 @@ class CoupledRun {
   network::Network network_;
   sph3d::Vessel<D> vessel_;
   std::unique_ptr<Scheme> scheme_;
-  std::vector<sph3d::Drive> drives_;
-  std::vector<double> volume_at_exchange_;
-  double last_exchange_ = 0;
-  std::int64_t exchanges_ = 0;
-  double network_seconds_ = 0;
+  Exchanged carried_;
   StabilityNumbers stability_;
   std::vector<std::string> warnings_;
-
-  struct Sample {
-    double time;
-    std::vector<double> volume;    // m3, out
-    std::vector<double> pressure;  // Pa s, integrated since the start
-  };
-  std::vector<Sample> recent_;  // of the last milliseconds, oldest first
 };
 
 extern template class CoupledRun<2>;

@@ -44,6 +44,9 @@ class IdaEngine final : public Engine {
     std::copy(y, y + n, data(y_));
     std::copy(dy, dy + n, data(dy_));
     check(IDAReInit(ida_, a, y_, dy_), "IDAReInit");
+    // pivots of earlier intervals forgotten: a restart has the same bits as a run that goes on
+    check(SUNLinSol_KLUReInit(solver_, matrix_, system_.pattern().nonZeros(), SUNKLU_REINIT_PARTIAL),
+          "KLUReInit");
     check(IDASetStopTime(ida_, b), "IDASetStopTime");
     double reached = a;
     const int flag = IDASolve(ida_, b, &reached, y_, dy_, IDA_NORMAL);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/archive.hpp"
 #include "core/error.hpp"
 #include "network/march.hpp"
 #include "network/state_space.hpp"
@@ -117,6 +118,13 @@ const std::vector<std::string>& Network::series_names() const { return parts_->s
 void Network::series(std::span<double> values) const {
   OSTIUM_ASSERT(values.size() == state_.y.size(), "{} values for {} series", values.size(), state_.y.size());
   std::copy(state_.y.begin(), state_.y.end(), values.begin());
+}
+
+void archive(Archive& a, State& state) {
+  a("time", state.time);
+  a("y", state.y);
+  a("dy", state.dy);
+  a("port_flow", state.port_flow);
 }
 
 State Network::save() const { return state_; }

@@ -21,6 +21,10 @@
 #include "network/model.hpp"
 #include "network/port.hpp"
 
+namespace ostium {
+class Archive;
+}
+
 namespace ostium::network {
 
 /// State of a network, plain data: a copy is a copy, a restart is exact.
@@ -29,6 +33,9 @@ struct State {
   std::vector<double> y, dy;      // unknowns and their rates, SI, in the order of the series
   std::vector<double> port_flow;  // last flow of each port, m3/s
 };
+
+/// The state as named arrays, see core/archive.
+void archive(Archive& a, State& state);
 
 /// `exact`: matrix exponential, for linear networks; `ida`: BDF of variable order; `automatic`: exact where
 /// the network is linear and has at most some dozens of states, else ida.

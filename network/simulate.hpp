@@ -5,11 +5,13 @@
 /// Not checked: that `every` resolves the signal; the integrator's own steps do not depend on it.
 #pragma once
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "network/model.hpp"
+#include "network/network.hpp"
 
 namespace ostium::network {
 
@@ -19,14 +21,17 @@ struct SimulateOptions {
   double end = 1.0;     // s
   double every = 0.01;  // s between outputs; the end is always among them
   Initial initial = Initial::rest;
-  double period = 0.0;  // s, needed for Initial::periodic
+  double period = 0.0;             // s, needed for Initial::periodic
+  std::optional<State> from = {};  // goes on after this state, whose row is not handed out again
 };
 
 /// `begin(names)` once, then `row(t, values)` at t = 0, every, 2 every, .. end, then nothing. row returns
-/// false to stop early.
+/// false to stop early. `keep` is given the last sound state of a run that ends before its time: stopped by row, or
+/// failing.
 struct Sink {
   std::function<void(const std::vector<std::string>& names)> begin;
   std::function<bool(double time, std::span<const double> values)> row;
+  std::function<void(const State&)> keep = {};
 };
 
 /// Throws UserError on a bad network, NumericsError where the integrator gives up.

@@ -51,6 +51,18 @@ Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::ve
 }
 
 template <int D>
+Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::vector<OpeningRole> roles,
+                  SavedVessel<D> saved)
+    : state_(std::move(saved.state)) {
+  if (state_.ports.size() != lumen.openings.size())
+    user_error("the saved state has {} openings, this vessel {}: it belongs to another case",
+               state_.ports.size(), lumen.openings.size());
+  auto model = std::make_unique<Model<D>>(lumen, options, std::move(roles));
+  model->number_density = saved.number_density;
+  model_ = std::move(model);
+}
+
+template <int D>
 void Vessel<D>::start_datum(const PressureDatum& datum) {
   state_.datum = datum;
   for (auto& port : state_.ports) {

@@ -39,6 +39,10 @@ class Vessel {
   Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::vector<OpeningRole> roles,
          double pressure = 0, const std::function<void(double)>& progress = {});
 
+  /// Goes on where another vessel with the same lumen, options and roles was saved, with the same bits.
+  Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::vector<OpeningRole> roles,
+         SavedVessel<D> saved);
+
   /// One advection step of at most dt_limit (s), one drive per opening; filter_time (s): of the ports'
   /// filters.
   StepReport advance(double dt_limit, std::span<const Drive> drives, double filter_time);
@@ -47,6 +51,7 @@ class Vessel {
   const VesselState<D>& state() const { return state_; }
   const Workspace<D>& workspace() const { return work_; }
   VesselState<D> save() const { return state_; }
+  SavedVessel<D> saved() const { return {state_, model_->number_density}; }
   void load(VesselState<D> state) { state_ = std::move(state); }
 
   /// The part of the ports' pressures the fluid does not see; must be set before the first step (see PressureDatum).

@@ -38,6 +38,27 @@ double Account::balance(double inside, double in, double out) {
   return gap;
 }
 
+void archive(Archive& a, Account& account) {
+  std::vector<std::int64_t> bounds(account.bounds.begin(), account.bounds.end());
+  a("advection", account.vessel.advection);
+  a("acoustic", account.vessel.acoustic);
+  a("openings", account.vessel.openings);
+  a("network", account.network);
+  a("output", account.output);
+  a("wall", account.wall);
+  a("bounds", bounds);
+  a("particle_steps", account.particle_steps);
+  a("max_speed", account.max_speed);
+  a("max_density_error", account.max_density_error);
+  a("volume_at_start", account.volume_at_start);
+  a("inflow", account.inflow);
+  a("discrepancy", account.discrepancy);
+  if (bounds.size() != account.bounds.size())
+    a.misfit("bounds",
+             fmt::format("{} kinds of step, this program has {}", bounds.size(), account.bounds.size()));
+  std::copy(bounds.begin(), bounds.end(), account.bounds.begin());
+}
+
 std::vector<Check> checks_of(const Account& a, double sound_speed, std::int64_t escaped) {
   return {{"mass balance", a.discrepancy / std::max(a.inflow, a.volume_at_start), 1e-10},
           {"escaped particles", static_cast<double>(escaped), 0},

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "sph3d/vessel.hpp"
 
 namespace ostium::app {
@@ -32,6 +33,8 @@ struct Account {
   /// Takes a balance down: the volume inside and what has entered and left, m3; returns the discrepancy.
   double balance(double inside, double in, double out);
 };
+
+void archive(Archive& a, Account& account);
 
 struct Check {
   std::string name;

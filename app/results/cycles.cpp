@@ -39,6 +39,14 @@ std::vector<CycleValues> CycleStatistics::cycles() const {
   return all;
 }
 
+void CycleStatistics::archive(Archive& a) {
+  a("period", period_);
+  a("time", time_);
+  a("value", value_);
+  a("started", started_);
+  a.records<double>("cycles", cycles_);
+}
+
 double CycleStatistics::change() const {
   auto all = cycles();
   if (!all.empty() && all.back().duration < period_ * (1 - 1e-6)) all.pop_back();

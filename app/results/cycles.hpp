@@ -7,6 +7,8 @@
 #pragma once
 #include <vector>
 
+#include "core/archive.hpp"
+
 namespace ostium::app {
 
 struct CycleValues {
@@ -21,6 +23,7 @@ class CycleStatistics {
   std::vector<CycleValues> cycles() const;
   /// Change of the mean between the last two complete cycles; 1 when there are fewer.
   double change() const;
+  void archive(Archive& a);
 
  private:
   struct Cycle {

@@ -32,8 +32,20 @@ json means_of(const std::vector<CycleValues>& cycles) {
 
 }  // namespace
 
+void archive(Archive& a, Recorded& r) {
+  a("time", r.time);
+  a("wall", r.wall);
+  a.part("rows", [&] { r.rows.archive(a); });
+  a.part("balance_rows", [&] { r.balance_rows.archive(a); });
+  a.list("statistics", r.statistics, [&](CycleStatistics& s) { s.archive(a); });
+  a("ports_bytes", r.ports_bytes);
+  a("network_bytes", r.network_bytes);
+  a("balance_bytes", r.balance_bytes);
+  a("warnings", r.warnings);
+}
+
 Recorder::Recorder(const Case& study, std::string case_name, const ResultsFolder& folder,
-                   const std::string& effective, Names names)
+                   const std::string& effective, Names names, const std::optional<Recorded>& saved)
     : study_(study),
       case_name_(std::move(case_name)),
       folder_(folder),
@@ -41,13 +53,45 @@ Recorder::Recorder(const Case& study, std::string case_name, const ResultsFolder
       rows_(study.output.every),
       balance_rows_(study.output.every) {
   folder_.create();
-  log::open_file(folder_.file("log.txt"));
+  log::open_file(folder_.file("log.txt"), saved.has_value());
   write_text(folder_.file("case.effective.yaml"), effective);
-  network_.emplace(folder_.file("network.csv"), names_.series);
-  if (!names_.ports.empty()) ports_.emplace(folder_.file("ports.csv"), names_.ports);
-  if (!names_.ports.empty()) balance_.emplace(folder_.file("balance.csv"));
   for (const auto& port : names_.ports) track("pressure " + port, 'p'), track("flow_out " + port, 'q');
   for (const auto& series : names_.series) track(series, series[0]);
+  open(saved);
+  if (saved) recall(*saved);
+}
+
+void Recorder::open(const std::optional<Recorded>& saved) {
+  const auto keep = [&](std::int64_t Recorded::*bytes) {
+    return saved ? Keep(static_cast<std::uintmax_t>((*saved).*bytes)) : Keep();
+  };
+  network_.emplace(folder_.file("network.csv"), names_.series, keep(&Recorded::network_bytes));
+  if (names_.ports.empty()) return;
+  ports_.emplace(folder_.file("ports.csv"), names_.ports, keep(&Recorded::ports_bytes));
+  balance_.emplace(folder_.file("balance.csv"), keep(&Recorded::balance_bytes));
+}
+
+void Recorder::recall(const Recorded& saved) {
+  OSTIUM_ASSERT(saved.statistics.size() == tracked_.size(), "{} statistics saved, {} series",
+                saved.statistics.size(), tracked_.size());
+  time_ = saved.time, wall_before_ = saved.wall;
+  rows_.go_on(saved.rows), balance_rows_.go_on(saved.balance_rows);
+  for (std::size_t i = 0; i < tracked_.size(); ++i) tracked_[i].statistics = saved.statistics[i];
+  log::recall_warnings(saved.warnings);
+}
+
+Recorded Recorder::save() {
+  Recorded r{.time = time_, .wall = wall(), .rows = rows_, .balance_rows = balance_rows_};
+  for (const auto& t : tracked_) r.statistics.push_back(t.statistics);
+  r.network_bytes = static_cast<std::int64_t>(network_->bytes());
+  if (ports_) r.ports_bytes = static_cast<std::int64_t>(ports_->bytes());
+  if (balance_) r.balance_bytes = static_cast<std::int64_t>(balance_->bytes());
+  r.warnings = log::warnings();
+  return r;
+}
+
+double Recorder::wall() const {
+  return wall_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
 }
 
 void Recorder::track(const std::string& name, char kind) {
@@ -105,7 +149,6 @@ json Recorder::statistics() const {
 
 void Recorder::finish(Status status, const json& facts) {
   flush();
-  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   json summary = {
       {"program", {{"name", "ostium"}, {"version", version}}},
       {"case", case_name_},
@@ -114,7 +157,7 @@ void Recorder::finish(Status status, const json& facts) {
       {"machine", {{"hardware_threads", std::thread::hardware_concurrency()}}},
       {"time",
        {{"end_s", study_.time.final()}, {"reached_s", time_}, {"period_s", study_.time.period.value_or(0)}}},
-      {"wall_s", wall},
+      {"wall_s", wall()},
       {"periodicity", {{"change_between_last_cycles", periodicity()}}},
       {"series", statistics()},
       {"warnings", log::warnings()}};

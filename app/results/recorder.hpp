@@ -17,15 +17,26 @@ namespace ostium::app {
 
 enum class Status { finished, interrupted, failed };
 
+/// What a recorder goes on from: statistics, and how long its files were.
+struct Recorded {
+  double time = 0, wall = 0;  // s; wall: of the sittings so far
+  Thinning rows, balance_rows;
+  std::vector<CycleStatistics> statistics{};
+  std::int64_t ports_bytes = 0, network_bytes = 0, balance_bytes = 0;
+  std::vector<std::string> warnings{};
+};
+void archive(Archive& a, Recorded& recorded);
+
 class Recorder {
  public:
   struct Names {
     std::vector<std::string> ports;   // openings, empty for a standalone network
     std::vector<std::string> series;  // of the network
   };
-  /// `effective` is the text of case.effective.yaml.
+  /// `effective` is the text of case.effective.yaml. With `saved` the files are cut back to what they were and continued.
   Recorder(const Case& study, std::string case_name, const ResultsFolder& folder,
-           const std::string& effective, Names names);
+           const std::string& effective, Names names, const std::optional<Recorded>& saved = {});
+  Recorded save();
 
   void row(double time, std::span<const PortRow> ports, std::span<const double> series);
   void balance(const BalanceRow& row);  // thinned like the others
@@ -47,6 +58,9 @@ class Recorder {
     CycleStatistics statistics;
   };
   void track(const std::string& name, char kind);
+  void open(const std::optional<Recorded>& saved);
+  void recall(const Recorded& saved);
+  double wall() const;
   nlohmann::json statistics() const;
 
   Case study_;
@@ -58,7 +72,7 @@ class Recorder {
   std::optional<BalanceCsv> balance_;
   Thinning rows_, balance_rows_;
   std::vector<Tracked> tracked_;
-  double time_ = 0;
+  double time_ = 0, wall_before_ = 0;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 

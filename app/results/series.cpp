@@ -11,6 +11,11 @@ std::vector<std::string> with_time(const std::vector<std::string>& series) {
   return header;
 }
 
+CsvWriter writer(const std::filesystem::path& file, const std::vector<std::string>& header, Keep keep) {
+  if (keep) return CsvWriter(file, header, *keep);
+  return CsvWriter(file, header);
+}
+
 }  // namespace
 
 bool Thinning::due(double time) {
@@ -19,9 +24,22 @@ bool Thinning::due(double time) {
   return true;
 }
 
-PortsCsv::PortsCsv(const std::filesystem::path& file, std::vector<std::string> ports)
+void Thinning::archive(Archive& a) {
+  std::int64_t next = next_;
+  a("every", every_);
+  a("next", next);
+  next_ = static_cast<long>(next);
+}
+
+void Thinning::go_on(const Thinning& saved) {
+  next_ = saved.next_;
+  if (saved.every_ == every_ || every_ <= 0) return;
+  next_ = static_cast<long>(std::ceil(static_cast<double>(saved.next_) * saved.every_ / every_ - 1e-9));
+}
+
+PortsCsv::PortsCsv(const std::filesystem::path& file, std::vector<std::string> ports, Keep keep)
     : ports_(std::move(ports)),
-      csv_(file, {"time_s", "port", "flow_out_m3_s", "pressure_Pa", "volume_out_m3"}) {}
+      csv_(writer(file, {"time_s", "port", "flow_out_m3_s", "pressure_Pa", "volume_out_m3"}, keep)) {}
 
 void PortsCsv::rows(double time, std::span<const PortRow> ports) {
   for (std::size_t k = 0; k < ports_.size(); ++k) {
@@ -30,17 +48,19 @@ void PortsCsv::rows(double time, std::span<const PortRow> ports) {
   }
 }
 
-NetworkCsv::NetworkCsv(const std::filesystem::path& file, const std::vector<std::string>& series)
-    : csv_(file, with_time(series)) {}
+NetworkCsv::NetworkCsv(const std::filesystem::path& file, const std::vector<std::string>& series, Keep keep)
+    : csv_(writer(file, with_time(series), keep)) {}
 
 void NetworkCsv::row(double time, std::span<const double> values) {
   csv_ << time;
   csv_.row(values);
 }
 
-BalanceCsv::BalanceCsv(const std::filesystem::path& file)
-    : csv_(file, {"time_s", "volume_inside_m3", "volume_in_m3", "volume_out_m3", "discrepancy_m3",
-                  "kinetic_energy_J", "max_density_error", "escaped_particles", "step_bound"}) {}
+BalanceCsv::BalanceCsv(const std::filesystem::path& file, Keep keep)
+    : csv_(writer(file,
+                  {"time_s", "volume_inside_m3", "volume_in_m3", "volume_out_m3", "discrepancy_m3",
+                   "kinetic_energy_J", "max_density_error", "escaped_particles", "step_bound"},
+                  keep)) {}
 
 void BalanceCsv::row(const BalanceRow& r) {
   csv_ << r.time << r.volume_inside << r.in << r.out << r.discrepancy << r.kinetic_energy

@@ -4,10 +4,12 @@
 ///   pressure    Pa    physical, the datum of the fluid solver added back
 ///   volume_out  m3    that has left since the start
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "core/csv.hpp"
 
 namespace ostium::app {
@@ -15,13 +17,19 @@ namespace ostium::app {
 /// Thins a series to one row per interval: true at the first call, then whenever the next multiple of `every` is reached.
 class Thinning {
  public:
-  explicit Thinning(double every) : every_(every) {}
+  explicit Thinning(double every = 0) : every_(every) {}
   bool due(double time);
+  void archive(Archive& a);
+  /// Counts on from an earlier sitting, whose interval may have been another one.
+  void go_on(const Thinning& saved);
 
  private:
   double every_;
   long next_ = 0;
 };
+
+/// Bytes of a file to go on with; nothing: a new file.
+using Keep = std::optional<std::uintmax_t>;
 
 struct PortRow {
   double flow_out = 0, pressure = 0, volume_out = 0;
@@ -29,9 +37,10 @@ struct PortRow {
 
 class PortsCsv {
  public:
-  PortsCsv(const std::filesystem::path& file, std::vector<std::string> ports);
+  PortsCsv(const std::filesystem::path& file, std::vector<std::string> ports, Keep keep = {});
   void rows(double time, std::span<const PortRow> ports);  // one per port
   void flush() { csv_.flush(); }
+  std::uintmax_t bytes() { return csv_.bytes(); }
 
  private:
   std::vector<std::string> ports_;
@@ -40,9 +49,10 @@ class PortsCsv {
 
 class NetworkCsv {
  public:
-  NetworkCsv(const std::filesystem::path& file, const std::vector<std::string>& series);
+  NetworkCsv(const std::filesystem::path& file, const std::vector<std::string>& series, Keep keep = {});
   void row(double time, std::span<const double> values);
   void flush() { csv_.flush(); }
+  std::uintmax_t bytes() { return csv_.bytes(); }
 
  private:
   CsvWriter csv_;
@@ -60,9 +70,10 @@ struct BalanceRow {
 
 class BalanceCsv {
  public:
-  explicit BalanceCsv(const std::filesystem::path& file);
+  explicit BalanceCsv(const std::filesystem::path& file, Keep keep = {});
   void row(const BalanceRow& row);
   void flush() { csv_.flush(); }
+  std::uintmax_t bytes() { return csv_.bytes(); }
 
  private:
   CsvWriter csv_;

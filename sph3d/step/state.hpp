@@ -46,4 +46,11 @@ struct VesselState {
   std::int64_t mirrored = 0, escaped = 0;  ///< particles put back inside the wall; lost through it
 };
 
+/// What a vessel goes on from in another run of the program.
+template <int D>
+struct SavedVessel {
+  VesselState<D> state;
+  double number_density = 0;  ///< of the undisturbed fluid, see Model
+};
+
 }  // namespace ostium::sph3d

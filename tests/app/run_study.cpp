@@ -85,7 +85,10 @@ TEST_F(RunStudy, InterruptEndsCleanly) {
   EXPECT_THAT(outcome.text, HasSubstr("code 130"));
   EXPECT_THAT(outcome.text, HasSubstr("interrupted at"));
   EXPECT_EQ(nlohmann::json::parse(content("results/rcr/summary.json"))["status"], "interrupted");
-  EXPECT_EQ(ostium("run rcr.yaml").code, 0);  // an interrupted run may be replaced
+  EXPECT_THAT(ostium("run rcr.yaml").text,
+              HasSubstr("this folder holds a run that was not finished; go on with it with "
+                        "--resume, replace it with --force"));
+  EXPECT_EQ(ostium("run rcr.yaml --force").code, 0);
 }
 
 TEST_F(RunStudy, Check) {

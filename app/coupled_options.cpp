@@ -1,0 +1,54 @@
+#include "app/coupled_options.hpp"
+
+#include <algorithm>
+
+namespace ostium::app {
+
+template <int D>
+sph3d::FluidOptions<D> fluid_options(const Case& study, const FlowScales& scales) {
+  const auto& n = study.numerics;
+  return {.dp = study.vessel->spacing,
+          .density = study.fluid.density,
+          .viscosity = study.fluid.viscosity / study.fluid.density,
+          .sound_speed = scales.sound_speed,
+          .reference_speed = n.reference_speed.value_or(0.5 * scales.speed),
+          .advection_cfl = n.advection_cfl,
+          .acoustic_cfl = n.acoustic_cfl,
+          .shift = n.shift,
+          .limiter = n.limiter,
+          .density_relaxation = n.density_relaxation};
+}
+
+namespace {
+
+coupling::SchemeKind scheme_of(Scheme scheme) {
+  switch (scheme) {
+    case Scheme::held:
+      return coupling::SchemeKind::held;
+    case Scheme::extrapolated:
+      return coupling::SchemeKind::extrapolated;
+    case Scheme::modified_euler:
+      return coupling::SchemeKind::modified_euler;
+    default:
+      return coupling::SchemeKind::linearised;
+  }
+}
+
+}  // namespace
+
+coupling::CoupledOptions coupled_options(const Case& study, const FlowScales& scales) {
+  const double exchange = study.coupling.exchange.value_or(0.0);
+  return {.scheme = scheme_of(study.coupling.scheme),
+          .exchange = exchange,
+          .filter_time = study.coupling.filter_time.value_or(std::max(0.01, 5.0 * exchange)),
+          .datum_time = study.coupling.datum_time.value_or(scales.datum_time),
+          .ramp = std::max(0.01, 3.0 * scales.length / scales.sound_speed),
+          .period = study.time.period.value_or(0.0),
+          .background = scales.background,
+          .force = study.coupling.force};
+}
+
+template sph3d::FluidOptions<2> fluid_options(const Case&, const FlowScales&);
+template sph3d::FluidOptions<3> fluid_options(const Case&, const FlowScales&);
+
+}  // namespace ostium::app

@@ -90,5 +90,15 @@ TEST_F(ShortCase, BackflowBranch) {
               column(reference("backflow_branch"), "side_flow_m3_s").between(0.1, 0.5).mean(), 0.1e-3);
 }
 
+TEST_F(ShortCase, BackflowInlet) {
+  run("backflow_inlet", "--threads 1 --set 'vessel.spacing=0.4 mm' --set time.cycles=1");
+  const auto all = ports();
+  const Table exact = reference("backflow_inlet");
+  EXPECT_GT(all.at("inlet").flow_out.max(), 0.9e-3);
+  EXPECT_GT(all.at("outlet").flow_out.between(0.02, 0.5).min(), 0);
+  EXPECT_LT(rms_difference(all.at("outlet").pressure, column(exact, "outlet_pressure_Pa"), 0.5),
+            0.05 * 2869.4);
+}
+
 }  // namespace
 }  // namespace ostium::test

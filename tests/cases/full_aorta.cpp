@@ -59,7 +59,8 @@ TEST_F(FullAorta, SplitMeansAndMass) {
 }
 
 TEST_F(FullAorta, SameWaveformsInMetresTurnedAndInsideOut) {
-  const std::string coarse = "--set 'vessel.spacing=1.25 mm' --set 'time={period: 0.66 s, end: 0.3 s}' ";
+  const std::string coarse =
+      "--set 'vessel.spacing=1.25 mm' --set 'time={period: 0.66 s, end: 0.3 s}' --set 'output.every=2 ms' ";
   run("aorta_vmr0024", coarse + options(surface_));
   const auto plain = ports();
   run("aorta_vmr0024", coarse + "--force --set vessel.length_unit=m " + options(turned()));

@@ -196,6 +196,8 @@ template <int D>
 StepReport Vessel<D>::report(double dt, int acoustic_steps) {
   StepReport report{.dt = dt, .acoustic_steps = acoustic_steps};
   const auto& fluid = state_.fluid;
+  OSTIUM_ASSERT(work_.duct_of.size() == fluid.places(), "{} of {} places", work_.duct_of.size(),
+                fluid.places());
   const double mass = model_->options.density * fluid.volume;
   double speed2 = 0, acceleration2 = 0;
   bool finite = true;

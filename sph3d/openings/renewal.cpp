@@ -80,6 +80,8 @@ void insert(const Model<D>& model, VesselState<D>& state, Workspace<D>& work, in
   const Vec<D>& n = model.ducts[k].opening().normal;
   const auto [speed, psi] = means(model, state.fluid, work.zones[k], x, n);
   const std::size_t i = state.fluid.insert(x);
+  work.duct_of.resize(state.fluid.places(), -1);  // it may stand in a new cluster
+  work.duct_of[i] = static_cast<std::int8_t>(k);
   state.fluid.velocity(i, Vec<D>(speed * n));
   const double c = model.options.sound_speed;
   state.fluid.psi(i) = static_cast<float>(

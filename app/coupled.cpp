@@ -101,6 +101,7 @@ class Session {
   void advance() {
     const auto report = run_.step(end_);
     account_.add(report);
+    watch_tension();
     record(report);
     keep(report);
     if (progress_.due()) {
@@ -169,6 +170,23 @@ class Session {
     double sum = 0;
     for (int k = 0; k < run_.port_count(); ++k) sum += run_.port(k).pressure;
     return sum / run_.port_count();
+  }
+
+  /// Fluid below the background pressure is under tension, which particles bear badly; told once.
+  void watch_tension() {
+    const auto& state = run_.vessel().state();
+    for (int k = 0; k < run_.port_count() && !tension_told_; ++k) {
+      if (run_.port(k).pressure >= state.datum.reference) continue;
+      log::warn(
+          "at {:.4g} s the pressure at \"{}\" was {:.3g} Pa less than the background of {:.3g} Pa covers, "
+          "and the "
+          "fluid came under tension; choose a shorter coupling.datum_time than {:.3g} ms{}",
+          run_.time(), run_.network().port(k).opening, state.datum.reference - run_.port(k).pressure,
+          state.datum.background, 1e3 * state.datum.tau,
+          study_.initial() == network::Initial::rest ? ", or start from the periodic state (network.initial)"
+                                                     : "");
+      tension_told_ = true;
+    }
   }
 
   void record(const sph3d::StepReport& report) {
@@ -265,6 +283,7 @@ class Session {
   std::int64_t steps_before_;
   Account account_;
   std::optional<SavedRun<D>> good_;
+  bool tension_told_ = false;
   std::vector<double> series_;
   Clock::time_point began_ = Clock::now(), saved_ = began_;
 };

@@ -41,7 +41,7 @@ coupling::CoupledOptions coupled_options(const Case& study, const FlowScales& sc
   return {.scheme = scheme_of(study.coupling.scheme),
           .exchange = exchange,
           .filter_time = study.coupling.filter_time.value_or(std::max(0.01, 5.0 * exchange)),
-          .datum_time = study.coupling.datum_time.value_or(scales.datum_time),
+          .datum_time = scales.datum_time,
           .ramp = std::max(0.01, 3.0 * scales.length / scales.sound_speed),
           .period = study.time.period.value_or(0.0),
           .background = scales.background,

@@ -52,12 +52,11 @@ std::vector<double> shares(const network::Network& network, const std::optional<
   return share;
 }
 
-template <int D>
-double length_of(const sph3d::Lumen<D>& lumen) {
-  double length = 0;
-  for (const auto& a : lumen.openings)
-    for (const auto& b : lumen.openings) length = std::max(length, (a.centre - b.centre).norm());
-  return length;
+/// How far the pressure gets away from the moving datum, Pa: never farther than it swings at all.
+double seen_swing(const std::optional<network::Start>& start, double datum_time) {
+  if (!start) return 0.0;
+  const double swing = start->max_pressure - start->min_pressure;
+  return datum_time > 0 ? std::min(datum_time * start->max_pressure_rate, swing) : swing;
 }
 
 }  // namespace
@@ -77,11 +76,12 @@ FlowScales flow_scales(const Case& study, const Setup<D>& setup, const std::opti
     rate = std::max(rate, share[k] * inflow.rate / network.port(k).area);
   }
   const double rho = study.fluid.density;
-  scales.length = length_of(setup.lumen);
+  scales.length = sph3d::length_between_openings(setup.lumen);
   scales.sound_speed = study.fluid.sound_speed.value_or(10.0 * scales.speed);
   scales.inner_pressure = 0.5 * rho * scales.speed * scales.speed + rho * scales.length * rate;
-  scales.datum_time = std::clamp(0.125 * scales.length / scales.sound_speed, 2e-3, 5e-3);
-  scales.background = scales.inner_pressure + scales.datum_time * (start ? start->max_pressure_rate : 0.0);
+  scales.datum_time =
+      study.coupling.datum_time.value_or(std::clamp(0.125 * scales.length / scales.sound_speed, 2e-3, 5e-3));
+  scales.background = scales.inner_pressure + seen_swing(start, scales.datum_time);
   return scales;
 }
 

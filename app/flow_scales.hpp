@@ -4,8 +4,8 @@
 ///               outlets likewise), the outlets' flows split as in the periodic state, else by area
 ///   c     m/s   sound speed, 10 U unless the case says otherwise: density varies by about 1 %
 ///   dp_in Pa    largest pressure difference inside: rho U^2 / 2 + rho (length) max dU/dt
-///   tau_D s     of the pressure datum: an eighth of length / c, kept within 2 and 5 ms
-///   p_b   Pa    background: dp_in + tau_D max |dP/dt|
+///   tau_D s     of the pressure datum: an eighth of length / c, kept within 2 and 5 ms, unless the case says otherwise
+///   p_b   Pa    background: dp_in + tau_D max |dP/dt|, at most dp_in + the swing of P; the swing where tau_D = 0
 ///
 /// Source: docs/theory/coupling.md, "Scales". Not checked: a narrowing inside the vessel; the run warns when the velocity
 /// outgrows c / 10 by half.

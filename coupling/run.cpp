@@ -20,21 +20,12 @@ std::vector<sph3d::OpeningRole> roles_of(const network::Network& network,
   return roles;
 }
 
-/// The longest way between two openings.
-template <int D>
-double length_of(const sph3d::Lumen<D>& lumen) {
-  double length = 0;
-  for (const auto& a : lumen.openings)
-    for (const auto& b : lumen.openings) length = std::max(length, (a.centre - b.centre).norm());
-  return length;
-}
-
 template <int D>
 VesselNumbers numbers_of(const sph3d::Model<D>& model) {
   return {.density = model.options.density,
           .sound_speed = model.options.sound_speed,
           .volume = model.domain.volume,
-          .length = length_of(model.lumen)};
+          .length = sph3d::length_between_openings(model.lumen)};
 }
 
 double seconds() {

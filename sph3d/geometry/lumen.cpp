@@ -1,5 +1,7 @@
 #include "sph3d/geometry/lumen.hpp"
 
+#include <algorithm>
+
 #include "sph3d/geometry/outline.hpp"
 
 namespace ostium::sph3d {
@@ -63,5 +65,16 @@ template <>
 double width(const Opening<3>& opening) {
   return 2 * inscribed_radius(flat_outline(opening));
 }
+
+template <int D>
+double length_between_openings(const Lumen<D>& lumen) {
+  double length = 0;
+  for (const auto& a : lumen.openings)
+    for (const auto& b : lumen.openings) length = std::max(length, (a.centre - b.centre).norm());
+  return length;
+}
+
+template double length_between_openings(const Lumen<2>&);
+template double length_between_openings(const Lumen<3>&);
 
 }  // namespace ostium::sph3d

@@ -52,6 +52,10 @@ bool inside_outline(const Opening<D>& opening, const Vec<D>& x);
 template <int D>
 double width(const Opening<D>& opening);
 
+/// The longest straight way between two openings, m: the length of the vessel where one number must do.
+template <int D>
+double length_between_openings(const Lumen<D>& lumen);
+
 /// Two unit tangents that make (tangent 0, tangent 1, normal) a right-handed frame (2D: the first one only).
 template <int D>
 Eigen::Matrix<double, D, D - 1> tangents(const Vec<D>& normal);

@@ -4,7 +4,8 @@
 
 namespace ostium::sph3d {
 
-/// Merges coincident corners; drops degenerate and doubled triangles.
+/// Merges coincident corners, on open edges also those that differ by rounding (1e-7 of the surface's size); drops
+/// degenerate and doubled triangles.
 void weld(Soup& soup);
 
 /// Merges corners of open edges that nearly coincide: parts written with different rounding.

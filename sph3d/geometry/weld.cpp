@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 
+#include "sph3d/geometry/point_grid.hpp"
 #include "sph3d/geometry/repair.hpp"
 
 namespace ostium::sph3d {
@@ -64,57 +64,43 @@ std::vector<int> points_on_open_edges(const Soup& soup) {
   return found;
 }
 
-/// Cells of the width of the tolerance: near points lie in neighbouring cells.
-class Grid {
+/// Chains of corners closer than the reach, as union-find; the lexicographically smallest stands for all, so that neither
+/// the order of the triangles nor that of the corners matters.
+class Clusters {
  public:
-  Grid(const std::vector<Vec3>& points, double width) : points_(points), width_(width) {}
-  void add(int i) { cells_[key(cell(i), 0)].push_back(i); }
-
-  /// A point added before that lies within the width of i; -1 if there is none.
-  int near(int i) const {
-    for (int n = 0; n < 27; ++n) {
-      const auto at = cells_.find(key(cell(i), n));
-      if (at == cells_.end()) continue;
-      for (int j : at->second)
-        if ((points_[i] - points_[j]).norm() <= width_) return j;
-    }
-    return -1;
+  Clusters(const std::vector<Vec3>& points, double reach) : parent_(points.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+    const PointGrid grid(points, reach);
+    for (int i = 0; i < int(points.size()); ++i)
+      grid.near(points[i], [&](int j, const Vec3&) { join(find(i), find(j)); });
+  }
+  int find(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
   }
 
  private:
-  using Cell = std::array<std::int64_t, 3>;
-  Cell cell(int i) const {
-    Cell c;
-    for (int d = 0; d < 3; ++d) c[d] = std::int64_t(std::floor(points_[i][d] / width_));
-    return c;
-  }
-  static std::uint64_t key(const Cell& c, int n) {  // n = 0 the cell itself, then its neighbours
-    const int shift[3] = {(n + 1) % 3 - 1, (n / 3 + 1) % 3 - 1, (n / 9 + 1) % 3 - 1};
-    std::uint64_t k = 0;
-    for (int d = 0; d < 3; ++d) k = (k ^ std::uint64_t(c[d] + shift[d])) * 0x9E3779B97F4A7C15u;
-    return k;
-  }
-
-  const std::vector<Vec3>& points_;
-  double width_;
-  std::unordered_map<std::uint64_t, std::vector<int>> cells_;
+  void join(int a, int b) { parent_[std::max(a, b)] = std::min(a, b); }
+  std::vector<int> parent_;
 };
 
 /// Slivers have true corners that lie close together: only open edges are joined by distance.
-int weld_open_edges(Soup& soup) {
-  const auto open = points_on_open_edges(soup);
+int weld_open_edges(Soup& soup, double share_of_size) {
+  auto open = points_on_open_edges(soup);
   if (open.empty()) return 0;
+  const auto key = [&](int i) {
+    const Vec3& x = soup.points[i];
+    return std::tuple(x.x(), x.y(), x.z());
+  };
+  std::sort(open.begin(), open.end(), [&](int a, int b) { return key(a) < key(b); });
+  std::vector<Vec3> points;
+  for (const int i : open) points.push_back(soup.points[i]);
+  Clusters clusters(points, share_of_size * bounds(soup.points).extent().norm());
   std::vector<int> target(soup.points.size());
   std::iota(target.begin(), target.end(), 0);
-  Grid grid(soup.points, 1e-6 * bounds(soup.points).extent().norm());
   int joined = 0;
-  for (int i : open) {
-    const int j = grid.near(i);
-    if (j < 0)
-      grid.add(i);
-    else
-      target[i] = j, ++joined;
-  }
+  for (int k = 0; k < int(open.size()); ++k)
+    if (const int first = clusters.find(k); first != k) target[open[k]] = open[first], ++joined;
   if (joined > 0) renumber(soup, target);
   return joined;
 }
@@ -143,12 +129,16 @@ void drop_unused_points(Soup& soup) {
 
 void weld(Soup& soup) {
   renumber(soup, same_points(soup.points));
-  note(soup, drop_degenerate(soup), "degenerate triangles dropped");
+  int degenerate = drop_degenerate(soup);
+  note(soup, weld_open_edges(soup, 1e-7),
+       "corners joined that differ by rounding, by less than 1e-7 of the vessel's size");
+  degenerate += drop_degenerate(soup);
+  note(soup, degenerate, "degenerate triangles dropped");
   note(soup, drop_doubled(soup), "doubled triangles dropped");
 }
 
 void join_open_edges(Soup& soup) {
-  note(soup, weld_open_edges(soup),
+  note(soup, weld_open_edges(soup, 1e-6),
        "corners of open edges joined to a neighbour within 1e-6 of the vessel's size");
   note(soup, drop_degenerate(soup), "triangles dropped that this left without area");
 }

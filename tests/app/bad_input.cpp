@@ -195,6 +195,14 @@ TEST_F(BadInput, TimesThatDoNotFit) {
               HasSubstr("a start from the periodic state needs \"time.period\""));
 }
 
+TEST_F(BadInput, RowsWithoutEnd) {
+  EXPECT_THAT(
+      refused(network + "output: {every: 1e-12 s}\n"),
+      HasSubstr(
+          "case.yaml:6:10: output.every: a row every 1e-12 s until 0.1 s makes 1e+11 rows, at most 1e+08 are "
+          "allowed; choose 1e-09 s or more"));
+}
+
 TEST_F(BadInput, CommandLine) {
   EXPECT_EQ(ostium("").code, 2);
   EXPECT_EQ(ostium("rnu case.yaml").code, 2);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <random>
@@ -118,6 +119,46 @@ TEST(ReadLumen, VtpWithAndWithoutLabels) {
   EXPECT_EQ(labelled.openings[0].face_id + labelled.openings[1].face_id, 11);
 }
 
+/// Corners as a program writes them that computes them anew for every triangle, in an order given by the seed.
+std::string with_rounding(const Surface<3>& s, double noise, unsigned order) {
+  std::mt19937 engine(1), shuffle(order);
+  std::uniform_real_distribution<double> uniform(-noise, noise);
+  std::vector<std::string> facets;
+  for (const auto& f : s.facets) {
+    std::string facet = "facet normal 0 0 0\n outer loop\n";
+    for (int v : f) {
+      const Vec3 x = s.points[v] + Vec3(uniform(engine), uniform(engine), uniform(engine));
+      facet += fmt::format("  vertex {} {} {}\n", x.x(), x.y(), x.z());
+    }
+    facets.push_back(facet + " endloop\nendfacet\n");
+  }
+  if (order > 0) std::shuffle(facets.begin(), facets.end(), shuffle);
+  std::string text = "solid vessel\n";
+  for (const auto& facet : facets) text += facet;
+  return text + "endsolid vessel\n";
+}
+
+std::vector<std::array<double, 3>> sorted_points(const Lumen<3>& lumen) {
+  std::vector<std::array<double, 3>> points;
+  for (const auto& x : lumen.surface.points) points.push_back({x.x(), x.y(), x.z()});
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+TEST(ReadLumen, CornersThatDifferByRoundingAreOne) {
+  const auto tube = shapes::tube(0.01, 0.1);
+  for (const double relative : {1e-15, 1e-12, 1e-9}) {
+    const auto lumen = read_lumen({.file = write("t.stl", with_rounding(tube, 0.1 * relative, 0))});
+    expect_tube(lumen, 0.01, 0.1);
+    EXPECT_EQ(lumen.surface.points.size(), tube.points.size());
+    EXPECT_THAT(lumen.repairs, Contains(HasSubstr("corners joined that differ by rounding")));
+    const auto shuffled = read_lumen({.file = write("s.stl", with_rounding(tube, 0.1 * relative, 7))});
+    EXPECT_EQ(sorted_points(shuffled), sorted_points(lumen));  // whatever the order of the triangles
+    EXPECT_EQ(shuffled.surface.facets.size(), lumen.surface.facets.size());
+  }
+  EXPECT_THAT(refusal({.file = write("t.stl", with_rounding(tube, 1e-6, 0))}), testing::Not("accepted"));
+}
+
 /// Rotated, scaled, moved, normals inward, a third of the triangles turned: the same vessel.
 TEST(ReadLumen, PoseAndOrientationDoNotMatter) {
   auto tube = shapes::tube(0.01, 0.1);
@@ -192,7 +233,7 @@ TEST(ReadLumen, RoundedSeamsAreJoinedWhenEndsAreCapped) {
     const bool low = tube.points[f[0]].z() + tube.points[f[1]].z() + tube.points[f[2]].z() < 0.15 - 1e-9;
     (low ? lower : upper).facets.push_back(f);
   }
-  for (auto& x : upper.points) x.x() += 1e-9;
+  for (auto& x : upper.points) x.x() += 5e-8;
   auto both = ascii(lower) + ascii(upper);
   const auto file = write("seam.stl", both);
   EXPECT_THAT(refusal({.file = file}), HasSubstr("2 open ends"));

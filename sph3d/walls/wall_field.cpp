@@ -7,22 +7,6 @@ namespace ostium::sph3d {
 
 namespace {
 
-/// Weights of cubic Lagrange interpolation on nodes -1, 0, 1, 2 at t in [0, 1), and their derivatives.
-struct Cubic {
-  double w[4], d[4];
-  explicit Cubic(double t) {
-    const double a = t + 1, b = t, c = t - 1, e = t - 2;
-    w[0] = -b * c * e / 6;
-    w[1] = a * c * e / 2;
-    w[2] = -a * b * e / 2;
-    w[3] = a * b * c / 6;
-    d[0] = -(b * c + b * e + c * e) / 6;
-    d[1] = (a * c + a * e + c * e) / 2;
-    d[2] = -(a * b + a * e + b * e) / 2;
-    d[3] = (a * b + a * c + b * c) / 6;
-  }
-};
-
 /// Visits every node of a block: f(index within the block, offset per direction).
 template <int D, class F>
 void for_nodes(int edge, F&& f) {
@@ -55,6 +39,7 @@ WallField<D>::WallField(const std::function<double(const Vec<D>&)>& phi, const V
   const auto fraction = fractions(phi);
   convolve(fraction, kernel);
   sharpen();
+  widen_rows();
 }
 
 template <int D>
@@ -204,71 +189,23 @@ void WallField<D>::sharpen() {
   values_ = std::move(sharp);
 }
 
-/// Four nodes in a row along the first axis.
+/// The blocks as they are read: every row with one node more before and two after it, and one to keep rows aligned.
 template <int D>
-std::array<float, 4> WallField<D>::row_of_four(Index node) const {
-  std::array<float, 4> row;
-  if ((node[0] & (edge - 1)) <= edge - 4) {  // all in one block
-    const std::int32_t slot = block_at(node);
-    if (slot < 0) {
-      row.fill(slot == all_wall ? 1.0f : 0.0f);
-    } else {
-      int n = 0;
-      for (int d = D - 1; d >= 0; --d) n = n * edge + (node[d] & (edge - 1));
-      std::copy_n(&values_[static_cast<std::size_t>(slot) * block_size + n], 4, row.begin());
-    }
-  } else {
-    for (int i = 0; i < 4; ++i, ++node[0]) row[i] = node_value(values_, node);
-  }
-  return row;
-}
-
-template <int D>
-WallSample<D> WallField<D>::operator()(const Vec<D>& x) const {
-  Index base;
-  double t[D];
-  for (int d = 0; d < D; ++d) {
-    const double u = (x[d] - origin_[d]) / spacing_;
-    base[d] = static_cast<int>(std::floor(u));
-    t[d] = u - base[d];
-    --base[d];
-  }
-  WallSample<D> sample;
-  Index corner = base;
-  for (int d = 0; d < D; ++d) ++corner[d];
-  const std::int32_t slot = block_at(corner);
-  if (slot < 0) {
-    sample.filling = slot == all_wall ? 1.0 : 0.0;
-    return sample;
-  }
-  std::array<float, 4> rows[D == 3 ? 16 : 4];
-  float largest = 0;
-  for (int k = 0, r = 0; k < (D == 3 ? 4 : 1); ++k)
-    for (int j = 0; j < 4; ++j, ++r) {
-      Index node = base;
-      node[1] += j;
-      if constexpr (D == 3) node[2] += k;
-      rows[r] = row_of_four(node);
-      for (const float value : rows[r]) largest = std::max(largest, value);
-    }
-  if (largest < 1e-6f) return sample;
-  const Cubic cx(t[0]), cy(t[1]), cz(D == 3 ? t[D - 1] : 0.0);
-  for (int k = 0, r = 0; k < (D == 3 ? 4 : 1); ++k)
-    for (int j = 0; j < 4; ++j, ++r) {
-      double line = 0, slope = 0;
-      for (int i = 0; i < 4; ++i) {
-        line += cx.w[i] * rows[r][i];
-        slope += cx.d[i] * rows[r][i];
+void WallField<D>::widen_rows() {
+  constexpr int rows = block_size / edge;
+  std::vector<float> wide(stored_.size() * rows * wide_row);
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::size_t slot = 0; slot < stored_.size(); ++slot) {
+    const Index first = first_node(stored_[slot]);
+    for (int r = 0; r < rows; ++r)
+      for (int i = 0; i < wide_row; ++i) {
+        Index node = first;
+        node[0] += i - 1, node[1] += r % edge;
+        if constexpr (D == 3) node[2] += r / edge;
+        wide[(slot * rows + r) * wide_row + i] = node_value(values_, node);
       }
-      const double wz = D == 3 ? cz.w[k] : 1.0;
-      sample.filling += line * cy.w[j] * wz;
-      sample.flux[0] += slope * cy.w[j] * wz;
-      sample.flux[1] += line * cy.d[j] * wz;
-      if constexpr (D == 3) sample.flux[2] += line * cy.w[j] * cz.d[k];
-    }
-  sample.flux /= spacing_;
-  if (sample.filling < 1e-6) return {};
-  return sample;
+  }
+  values_ = std::move(wide);
 }
 
 template class WallField<2>;

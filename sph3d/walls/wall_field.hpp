@@ -48,6 +48,8 @@ class WallField {
  private:
   static constexpr int edge = 8;  // nodes per block and direction
   static constexpr int block_size = D == 2 ? edge * edge : edge * edge * edge;
+  static constexpr int wide_row =
+      edge + 4;  // nodes -1 .. edge + 2 of a row: four in a row are never torn apart
   static constexpr std::int32_t all_fluid = -1, all_wall = -2;  // blocks without nodes of their own
   using Index = std::array<int, D>;
 
@@ -55,10 +57,10 @@ class WallField {
   std::vector<float> fractions(const std::function<double(const Vec<D>&)>& phi) const;
   void convolve(const std::vector<float>& fraction, const Wendland<D>& kernel);
   void sharpen();
+  void widen_rows();
 
   std::int32_t block_at(const Index& node) const;
   float node_value(const std::vector<float>& values, const Index& node) const;
-  std::array<float, 4> row_of_four(Index node) const;
   Index first_node(std::size_t block) const;
   Vec<D> position(const Index& node) const;
 
@@ -67,7 +69,7 @@ class WallField {
   Index blocks_{};                      // blocks per direction
   std::vector<std::int32_t> block_of_;  // storage slot of a block, or all_fluid / all_wall
   std::vector<std::size_t> stored_;     // block number of a slot
-  std::vector<float> values_;
+  std::vector<float> values_;           // while building block by block, then in wide rows
 };
 
 extern template class WallField<2>;

@@ -9,7 +9,7 @@ namespace ostium::app {
 namespace {
 
 constexpr double steps_per_core_second = 2e6, smoothing_ratio = 1.3;
-constexpr double bytes_per_particle = 600, bytes_of_program = 5e7;
+constexpr double bytes_per_particle = 760, bytes_of_program = 5e7;  // with the copy kept for failures
 
 }  // namespace
 

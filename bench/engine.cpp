@@ -27,8 +27,7 @@ void prepare(const Model<3>& model, FluidState<3>& fluid, Workspace<3>& work) {
   find_zones(model, fluid, work);
   look_around(model, fluid, work);
   kernel_sums(model, fluid, work);
-  correct_density(model, fluid, work, 1e-4);
-  correct_gradients(model, fluid, work);
+  correct(model, fluid, work, 1e-4);
   prepare_forces(model, fluid, work);
 }
 

@@ -33,7 +33,7 @@ struct Prepared {
     find_zones(model, fluid, work);
     look_around(model, fluid, work);
     kernel_sums(model, fluid, work);
-    correct_gradients(model, fluid, work);
+    correct(model, fluid, work, 1e-4);
     prepare_forces(model, fluid, work);
   }
 

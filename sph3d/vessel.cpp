@@ -103,8 +103,7 @@ void Vessel<D>::prepare(double dt, double acoustic_dt, PhaseSeconds& seconds) {
   find_zones(*model_, state_.fluid, work_);
   look_around(*model_, state_.fluid, work_);
   kernel_sums(*model_, state_.fluid, work_);
-  correct_density(*model_, state_.fluid, work_, dt);
-  correct_gradients(*model_, state_.fluid, work_);
+  correct(*model_, state_.fluid, work_, dt);
   prepare_forces(*model_, state_.fluid, work_);
   first_pressures(acoustic_dt);
 }
@@ -174,13 +173,15 @@ void Vessel<D>::acoustic_step(double dt, bool last, std::span<const Drive> drive
 template <int D>
 void Vessel<D>::move() {
   auto& fluid = state_.fluid;
+  const double zeta_h2 = model_->options.shift * model_->kernel.h * model_->kernel.h;
   std::vector<int> mirrored(fluid.clusters.size(), 0);
   for_clusters(fluid.clusters.size(), [&](std::size_t c) {
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const std::size_t i = 8 * c + lane;
       if (!fluid.filled[i]) continue;
       const auto& around = work_.around[c];
-      fluid.position[i] += lane_vector<D>(fluid.clusters[c].moved, lane) + lane_vector<D>(around.shift, lane);
+      fluid.position[i] += lane_vector<D>(fluid.clusters[c].moved, lane) -
+                           zeta_h2 * lane_vector<D>(work_.sums[c].imbalance, lane);
       if (around.filling[lane] < 0.3f) continue;
       const WallSample<D> wall = model_->wall(fluid.position[i]);
       if (wall.filling < 0.52) continue;

@@ -47,7 +47,18 @@ struct alignas(64) ClusterSums {
   float density[8];                    ///< sum_j W V_j, the particle itself included          -
   float gradient[D][8];                ///< sum_j grad W V_j                                   1/m
   float moment[symmetric_size<D>][8];  ///< -sum_j r_ij (x) grad W V_j                         -
-  float viscous[D][8];                 ///< acceleration by viscosity, fluid neighbours only   m/s2
+  float imbalance[D][8];               ///< B_i gradient + G_i, wall included: where room is not even   1/m
+};
+
+/// What stands around each particle besides others: the wall, as the half-space that fills as much, and the outside of
+/// an opening.
+template <int D>
+struct alignas(64) ClusterSurroundings {
+  float filling[8];                    ///< share of the kernel support in the wall            -
+  float moment_n[8], moment_t[8];      ///< moment matrix of that half-space, along its normal and across  -
+  float friction_n[8], friction_t[8];  ///< what its friction makes of B, see half_space.hpp   1/m2
+  float open_filling[8];               ///< share beyond the outer face of a duct              -
+  float open_flux[D][8];               ///< its gradient, out of the vessel                    1/m
 };
 
 struct alignas(16) PlaceRecord {
@@ -78,6 +89,9 @@ struct FluidConstants {
   float density_factor = 0;  ///< W V = density_factor kV (1-r)^4 (1+4r)        m
   float viscosity = 0;       ///< kinematic viscosity                           m2/s
   float limiter = 0;         ///< of the pressure dissipation, 3; 0 turns it off
+  float gravity[3] = {};     ///< body force per mass                           m/s2
+  float number_density = 1;  ///< of the undisturbed fluid                      -
+  float correction = 0;      ///< rate at which psi returns to the sum, theta/dt 1/s
 };
 
 /// The fluid kernels of one dimension, compiled for one instruction set.
@@ -86,7 +100,10 @@ struct FluidKernels {
   /// density, gradient, moment and k0 of the clusters [begin, end); place.w = kV.
   void (*sums)(std::int64_t begin, std::int64_t end, Cluster<D>*, ClusterSums<D>*, const Rows*,
                const PlaceRecord*, const FluidConstants&);
-  /// G without its wall part, and viscous; place.w = kV.
+  /// B from the moments of fluid and wall, with its record; friction; source.
+  void (*corrections)(std::int64_t begin, std::int64_t end, Cluster<D>*, const ClusterSums<D>*,
+                      const ClusterSurroundings<D>*, MatrixRecord*, const FluidConstants&);
+  /// G, prior and imbalance; place.w = kV.
   void (*corrected_sums)(std::int64_t begin, std::int64_t end, Cluster<D>*, ClusterSums<D>*, const Rows*,
                          const PlaceRecord*, const VelocityRecord*, const MatrixRecord*,
                          const FluidConstants&);

@@ -1,12 +1,12 @@
 /// The preparation of an advection step (docs/theory/fluid.md, "One advection step", A), in this order:
 ///
 ///   freeze, find_zones, look_around, kernel_sums    see workspace.hpp
-///   correct_density     source = (theta / dt) (sigma/sigma_0 - 1 - psi), sigma = sum W V + filling: spread over
-///                       the acoustic steps, so that pressure never jumps;  writes source
-///   correct_gradients   B = M^-1, M = -sum r (x) grad W V + outside moments; rate of the wall friction
-///                       writes B, friction
-///   prepare_forces      viscous acceleration, transport shift, what pressure acts on, drive of the ports
-///                       writes G, prior, shift, drive
+///   correct             source = (theta / dt) (sigma/sigma_0 - 1 - psi), sigma = sum W V + filling: spread over
+///                       the acoustic steps, so that pressure never jumps;
+///                       B = M^-1, M = -sum r (x) grad W V + outside moments; rate of the wall friction
+///                       writes source, B, friction
+///   prepare_forces      viscous acceleration, what pressure acts on, imbalance, drive of the ports
+///                       writes prior, G, imbalance, drive; the transport shift is -zeta h^2 times the imbalance
 ///
 /// Density is left alone where the support ends (within reach of an outer face) and where flow is prescribed.
 #pragma once
@@ -16,9 +16,7 @@
 namespace ostium::sph3d {
 
 template <int D>
-void correct_density(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>& work, double dt);
-template <int D>
-void correct_gradients(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work);
+void correct(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, double dt);
 template <int D>
 void prepare_forces(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work);
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sph3d/step/lane_access.hpp"
+
 namespace ostium::sph3d {
 
 namespace {
@@ -19,12 +21,15 @@ template <int D>
 FluidConstants constants_of(const Model<D>& model) {
   const auto& o = model.options;
   const auto f = [](double x) { return static_cast<float>(x); };
-  return {.c = f(o.sound_speed),
-          .c2 = f(o.sound_speed * o.sound_speed),
-          .reach = f(model.kernel.reach()),
-          .density_factor = f(model.kernel.h / 10.0),
-          .viscosity = f(o.viscosity),
-          .limiter = f(o.limiter)};
+  FluidConstants constants{.c = f(o.sound_speed),
+                           .c2 = f(o.sound_speed * o.sound_speed),
+                           .reach = f(model.kernel.reach()),
+                           .density_factor = f(model.kernel.h / 10.0),
+                           .viscosity = f(o.viscosity),
+                           .limiter = f(o.limiter),
+                           .number_density = f(model.number_density)};
+  for (int d = 0; d < D; ++d) constants.gravity[d] = f(o.gravity[d]);
+  return constants;
 }
 
 template <int D>
@@ -85,19 +90,29 @@ WallSample<D> beyond_face(const Model<D>& model, int k, const Vec<D>& x, const W
 
 template <int D>
 void look_around(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
+  const HalfSpace<D>& space = model.half_space;
   work.around.resize(state.clusters.size());
 #pragma omp parallel for schedule(static)
   for (std::size_t c = 0; c < state.clusters.size(); ++c) {
     ClusterSurroundings<D>& around = work.around[c];
+    around = {};
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const std::size_t i = 8 * c + lane;
       const WallSample<D> wall = state.filled[i] ? model.wall(state.position[i]) : WallSample<D>{};
-      around.filling[lane] = static_cast<float>(wall.filling);
-      for (int d = 0; d < D; ++d) state.clusters[c].wall[d][lane] = static_cast<float>(wall.flux[d]);
-      const int k = work.duct_of[i];
-      const WallSample<D> open = k < 0 ? WallSample<D>{} : beyond_face(model, k, state.position[i], wall);
-      around.open_filling[lane] = static_cast<float>(open.filling);
-      for (int d = 0; d < D; ++d) around.open_flux[d][lane] = static_cast<float>(open.flux[d]);
+      lane_assign<D>(state.clusters[c].wall, lane, wall.flux);
+      if (wall.filling > 0.0) {
+        around.filling[lane] = static_cast<float>(wall.filling);
+        const double s = space.distance(wall.filling);
+        around.moment_n[lane] = static_cast<float>(space.moment_n(s));
+        around.moment_t[lane] = static_cast<float>(space.moment_t(s));
+        around.friction_n[lane] = static_cast<float>(space.friction_n(s));
+        around.friction_t[lane] = static_cast<float>(space.friction_t(s));
+      }
+      if (const int k = work.duct_of[i]; k >= 0) {
+        const WallSample<D> open = beyond_face(model, k, state.position[i], wall);
+        around.open_filling[lane] = static_cast<float>(open.filling);
+        lane_assign<D>(around.open_flux, lane, open.flux);
+      }
     }
   }
 }

@@ -10,17 +10,6 @@
 
 namespace ostium::sph3d {
 
-/// Per particle, what the kernels do not need.
-///
-///   filling        share of the kernel support in the wall                                 -
-///   open_filling   share beyond the outer face of a duct                                   -
-///   open_flux      its gradient, out of the vessel                                         1/m
-///   shift          transport shift                                                         m
-template <int D>
-struct alignas(64) ClusterSurroundings {
-  float filling[8], open_filling[8], open_flux[D][8], shift[D][8];
-};
-
 /// The particles in a duct, in the order of memory.
 template <int D>
 struct Zone {
@@ -29,7 +18,7 @@ struct Zone {
     float depth;
     float
         drive;  ///< pressure-driven: 2 n.B grad(open filling) as the particles see it, what a unit of pressure does, 1/m;
-        ///< flow-driven: velocity over Q/A, scaled so that the particles of the duct carry exactly Q
+                ///< flow-driven: velocity over Q/A, scaled so that the particles of the duct carry exactly Q
   };
   std::vector<Member> members;
   std::vector<std::int32_t> before_cap;  ///< particles of the vessel next to the cap

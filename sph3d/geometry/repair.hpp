@@ -4,7 +4,7 @@
 
 namespace ostium::sph3d {
 
-/// Merges coincident corners, on open edges also those that differ by rounding (1e-7 of the surface's size); drops
+/// Merges coincident corners, on open edges also those that differ by rounding in double (1e-12 of the surface's size); drops
 /// degenerate and doubled triangles.
 void weld(Soup& soup);
 

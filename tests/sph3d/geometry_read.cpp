@@ -147,7 +147,7 @@ std::vector<std::array<double, 3>> sorted_points(const Lumen<3>& lumen) {
 
 TEST(ReadLumen, CornersThatDifferByRoundingAreOne) {
   const auto tube = shapes::tube(0.01, 0.1);
-  for (const double relative : {1e-15, 1e-12, 1e-9}) {
+  for (const double relative : {1e-15, 1e-14, 1e-13}) {
     const auto lumen = read_lumen({.file = write("t.stl", with_rounding(tube, 0.1 * relative, 0))});
     expect_tube(lumen, 0.01, 0.1);
     EXPECT_EQ(lumen.surface.points.size(), tube.points.size());
@@ -233,7 +233,7 @@ TEST(ReadLumen, RoundedSeamsAreJoinedWhenEndsAreCapped) {
     const bool low = tube.points[f[0]].z() + tube.points[f[1]].z() + tube.points[f[2]].z() < 0.15 - 1e-9;
     (low ? lower : upper).facets.push_back(f);
   }
-  for (auto& x : upper.points) x.x() += 5e-8;
+  for (auto& x : upper.points) x.x() += 1e-9;
   auto both = ascii(lower) + ascii(upper);
   const auto file = write("seam.stl", both);
   EXPECT_THAT(refusal({.file = file}), HasSubstr("2 open ends"));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/error.hpp"
 #include "sph3d/openings/ports.hpp"
@@ -180,9 +181,11 @@ void Vessel<D>::move() {
       const std::size_t i = 8 * c + lane;
       if (!fluid.filled[i]) continue;
       const auto& around = work_.around[c];
-      fluid.position[i] += lane_vector<D>(fluid.clusters[c].moved, lane) -
-                           zeta_h2 * lane_vector<D>(work_.sums[c].imbalance, lane);
-      if (around.filling[lane] < 0.3f) continue;
+      const Vec<D> way = lane_vector<D>(fluid.clusters[c].moved, lane) -
+                         zeta_h2 * lane_vector<D>(work_.sums[c].imbalance, lane);
+      fluid.position[i] += way;
+      const double expected = around.filling[lane] + way.dot(lane_vector<D>(fluid.clusters[c].wall, lane));
+      if (expected < 0.4) continue;
       const WallSample<D> wall = model_->wall(fluid.position[i]);
       if (wall.filling < 0.52) continue;
       const double inside = 0.25 * model_->options.dp - model_->half_space.distance(wall.filling);
@@ -200,21 +203,29 @@ StepReport Vessel<D>::report(double dt, int acoustic_steps) {
   OSTIUM_ASSERT(work_.duct_of.size() == fluid.places(), "{} of {} places", work_.duct_of.size(),
                 fluid.places());
   const double mass = model_->options.density * fluid.volume;
-  double speed2 = 0, acceleration2 = 0;
+  double speed2 = 0, acceleration2 = 0, worst = 0;
+  std::vector<double> energy(fluid.clusters.size());
+  std::size_t particles = 0;
   bool finite = true;
-  for (std::size_t i = 0; i < fluid.places(); ++i) {
-    if (!fluid.filled[i]) continue;
-    ++report.particles;
-    const Cluster<D>& own = fluid.clusters[i / 8];
-    const std::size_t lane = i % 8;
-    const Vec<D> v = lane_vector<D>(own.v, lane);
-    report.kinetic_energy += 0.5 * mass * v.squaredNorm();
-    finite = finite && std::isfinite(v.squaredNorm()) && std::isfinite(own.psi[lane]);
-    if (work_.duct_of[i] >= 0) continue;
-    speed2 = std::max(speed2, v.squaredNorm());
-    acceleration2 = std::max(acceleration2, double(own.acceleration[lane]));
-    report.max_density_error = std::max(report.max_density_error, std::abs(double(own.psi[lane])));
-  }
+#pragma omp parallel for schedule(static) reduction(max : speed2, acceleration2, worst) \
+    reduction(+ : particles) reduction(&& : finite)
+  for (std::size_t c = 0; c < fluid.clusters.size(); ++c)
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+      const std::size_t i = 8 * c + lane;
+      if (!fluid.filled[i]) continue;
+      ++particles;
+      const Cluster<D>& own = fluid.clusters[c];
+      const double square = lane_vector<D>(own.v, lane).squaredNorm();
+      energy[c] += 0.5 * mass * square;
+      finite = finite && std::isfinite(square) && std::isfinite(own.psi[lane]);
+      if (work_.duct_of[i] >= 0) continue;
+      speed2 = std::max(speed2, square);
+      acceleration2 = std::max(acceleration2, double(own.acceleration[lane]));
+      worst = std::max(worst, std::abs(double(own.psi[lane])));
+    }
+  report.particles = particles;
+  report.max_density_error = worst;
+  report.kinetic_energy = std::accumulate(energy.begin(), energy.end(), 0.0);
   if (!finite)
     numerics_error("the flow has blown up: a particle has no finite velocity at t = {:.6g} s", state_.time);
   state_.max_speed = report.max_speed = std::sqrt(speed2);

@@ -32,39 +32,53 @@ Box<D> bounds(const Cluster<D>& cluster, const PlaceRecord* own) {
   return box;
 }
 
+/// Lower and upper corner of everything that is there.
+template <int D>
+Box<D> bounds(const std::vector<PlaceRecord>& place) {
+  Box<D> box;
+  std::fill(box.low, box.low + D, std::numeric_limits<float>::max());
+  std::fill(box.high, box.high + D, std::numeric_limits<float>::lowest());
+#pragma omp parallel
+  {
+    Box<D> mine = box;
+#pragma omp for schedule(static) nowait
+    for (std::size_t i = 0; i < place.size(); ++i)
+      for (int d = 0; d < D && place[i].w != 0.0f; ++d) {
+        mine.low[d] = std::min(mine.low[d], (&place[i].x)[d]);
+        mine.high[d] = std::max(mine.high[d], (&place[i].x)[d]);
+      }
+#pragma omp critical
+    for (int d = 0; d < D; ++d) {
+      box.low[d] = std::min(box.low[d], mine.low[d]);
+      box.high[d] = std::max(box.high[d], mine.high[d]);
+    }
+  }
+  return box;
+}
+
 }  // namespace
 
 template <int D>
 void RowLists<D>::bin(const std::vector<PlaceRecord>& place) {
   const std::size_t n = place.size() - 1;
-  float high[D];
-  for (int d = 0; d < D; ++d) {
-    grid_.origin[d] = std::numeric_limits<float>::max();
-    high[d] = std::numeric_limits<float>::lowest();
-  }
-  for (std::size_t i = 0; i < n; ++i)
-    if (place[i].w != 0.0f)
-      for (int d = 0; d < D; ++d) {
-        const float x = (&place[i].x)[d];
-        grid_.origin[d] = std::min(grid_.origin[d], x);
-        high[d] = std::max(high[d], x);
-      }
+  const Box<D> box = bounds<D>(place);
   std::size_t cells = 1;
   for (int d = 0; d < D; ++d) {
-    grid_.cells[d] = std::max(1, static_cast<int>((high[d] - grid_.origin[d]) / cell_size) + 1);
+    grid_.origin[d] = box.low[d];
+    grid_.cells[d] = std::max(1, static_cast<int>((box.high[d] - box.low[d]) / cell_size) + 1);
     cells *= grid_.cells[d];
   }
-  grid_.first.assign(cells + 1, 0);
   cell_.resize(n);
+#pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < n; ++i) {
-    cell_[i] = -1;
-    if (place[i].w == 0.0f) continue;
-    std::int32_t cell = 0;
-    for (int d = D - 1; d >= 0; --d)
+    std::int32_t cell = place[i].w == 0.0f ? -1 : 0;
+    for (int d = D - 1; d >= 0 && cell >= 0; --d)
       cell = cell * grid_.cells[d] + static_cast<int>(((&place[i].x)[d] - grid_.origin[d]) / cell_size);
     cell_[i] = cell;
-    ++grid_.first[cell + 1];
   }
+  grid_.first.assign(cells + 1, 0);
+  for (const std::int32_t cell : cell_) ++grid_.first[cell + 1];  // the empty ones at 0, taken back at once
+  grid_.first[0] = 0;
   for (std::size_t c = 0; c < cells; ++c) grid_.first[c + 1] += grid_.first[c];
   grid_.index.resize(grid_.first[cells]);
   std::vector<std::int32_t> next(grid_.first.begin(), grid_.first.end() - 1);
@@ -83,7 +97,7 @@ void RowLists<D>::find_stretches(const Cluster<D>& cluster, const PlaceRecord* o
   const Box<D> box = bounds(cluster, own);
   if (box.low[0] > box.high[0]) return;
   const auto cell = [&](int d, float x) {
-    return std::clamp(static_cast<int>(std::floor((x - grid_.origin[d]) / cell_size)), 0, grid_.cells[d] - 1);
+    return std::min(static_cast<int>(std::max(x - grid_.origin[d], 0.0f) / cell_size), grid_.cells[d] - 1);
   };
   const auto outside = [&](int d, int c) {  // distance between the box and the cells c of direction d
     const float low = grid_.origin[d] + cell_size * c;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace ostium::sph3d {
 
@@ -24,28 +23,48 @@ void for_sites(const Slice<D>& slice, const Duct<D>& duct, const Vec<D>& x, F&& 
   const Vec<D> on_slice = duct.at_depth(x, duct.length());
   const auto& near = slice.near(on_slice);
   double sum = 0;
-  const auto weight = [&](std::int32_t a) {
-    return std::exp(-(slice.sites[a] - on_slice).squaredNorm() / (0.36 * duct.spacing() * duct.spacing()));
-  };
-  for (const std::int32_t a : near) sum += weight(a);
-  for (const std::int32_t a : near)
-    f(a, sum > 0.0 ? weight(a) / sum : 1.0 / static_cast<double>(near.size()));
+  thread_local std::vector<double> weight;
+  weight.clear();
+  for (const std::int32_t a : near) {
+    weight.push_back(
+        std::exp(-(slice.sites[a] - on_slice).squaredNorm() / (0.36 * duct.spacing() * duct.spacing())));
+    sum += weight.back();
+  }
+  for (std::size_t n = 0; n < near.size(); ++n)
+    f(near[n], sum > 0.0 ? weight[n] / sum : 1.0 / static_cast<double>(near.size()));
 }
 
-/// How much of the duct between the outer face and the fluid is empty, as a depth for each site.
+/// The depth of the duct that a particle takes up, in the part that is looked at.
+template <int D>
+double taken_by(const Model<D>& model, const VesselState<D>& state, int k, std::int32_t i) {
+  return model.slices[k].spacing * window(model.ducts[k].depth(state.fluid.position[i]), model.options.dp) /
+         (1.0 + state.fluid.psi(i));
+}
+
+/// How deep the part that is looked at would be, were it empty.
+template <int D>
+double whole_depth(const Model<D>& model, int k) {
+  return 0.5 * (window_start + window_end) * model.options.dp - brim * model.slices[k].spacing;
+}
+
+/// How much of the duct between the outer face and the fluid is empty, as a depth, summed over the sites.
+template <int D>
+double room(const Model<D>& model, const VesselState<D>& state, const Workspace<D>& work, int k) {
+  double sum = whole_depth(model, k) * static_cast<double>(model.slices[k].sites.size());
+  for (const auto& member : work.zones[k].members) sum -= taken_by(model, state, k, member.index);
+  return sum;
+}
+
+/// The same for each site.
 template <int D>
 std::vector<double> free_depth(const Model<D>& model, const VesselState<D>& state, const Workspace<D>& work,
                                int k) {
-  const Duct<D>& duct = model.ducts[k];
   const Slice<D>& slice = model.slices[k];
-  const double dp = duct.spacing(), whole = 0.5 * (window_start + window_end) * dp - brim * slice.spacing;
-  std::vector<double> depth(slice.sites.size(), whole);
-  for (const auto& member : work.zones[k].members) {
-    const Vec<D>& x = state.fluid.position[member.index];
-    const double inside = slice.spacing * window(duct.depth(x), dp) / (1.0 + state.fluid.psi(member.index));
-    if (inside > 0.0)
-      for_sites(slice, duct, x, [&](std::int32_t a, double share) { depth[a] -= share * inside; });
-  }
+  std::vector<double> depth(slice.sites.size(), whole_depth(model, k));
+  for (const auto& member : work.zones[k].members)
+    if (const double taken = taken_by(model, state, k, member.index); taken > 0.0)
+      for_sites(slice, model.ducts[k], state.fluid.position[member.index],
+                [&](std::int32_t a, double share) { depth[a] -= share * taken; });
   return depth;
 }
 
@@ -95,8 +114,9 @@ template <int D>
 void insert_arrivals(const Model<D>& model, VesselState<D>& state, Workspace<D>& work, int k) {
   const Duct<D>& duct = model.ducts[k];
   const Slice<D>& slice = model.slices[k];
+  double sum = room(model, state, work, k);
+  if (sum <= 0.0) return;
   std::vector<double> depth = free_depth(model, state, work, k);
-  double sum = std::accumulate(depth.begin(), depth.end(), 0.0);
   double& level = state.ports[k].insertion_level;
   while (sum > 0.0) {  // the duct as a whole has room for a particle; the emptiest site takes it
     const auto emptiest = std::max_element(depth.begin(), depth.end());

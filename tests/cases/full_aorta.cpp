@@ -31,9 +31,11 @@ class FullAorta : public CaseRun {
     return file;
   }
 
-  /// rms of the difference over the swing of the second.
+  /// rms of the difference over the swing of the second, in the second cycle: the start rings with the sound of the
+  /// fluid at rest that is set in motion. (Both are compared at the same times: nothing is wrapped into a period.)
   static double difference(const Signal& a, const Signal& b) {
-    return rms_difference(a, b, 0.66) / (b.max() - b.min());
+    const Signal first = a.between(0.66, 1.32), second = b.between(0.66, 1.32);
+    return rms_difference(first, second, 1e9) / (second.max() - second.min());
   }
 
   std::filesystem::path surface_, inflow_;
@@ -59,11 +61,9 @@ TEST_F(FullAorta, SplitMeansAndMass) {
 }
 
 TEST_F(FullAorta, SameWaveformsInMetresTurnedAndInsideOut) {
-  const std::string coarse =
-      "--set 'vessel.spacing=1.25 mm' --set 'time={period: 0.66 s, end: 0.3 s}' --set 'output.every=2 ms' ";
-  run("aorta_vmr0024", coarse + options(surface_));
+  run("aorta_vmr0024", options(surface_));
   const auto plain = ports();
-  run("aorta_vmr0024", coarse + "--force --set vessel.length_unit=m " + options(turned()));
+  run("aorta_vmr0024", "--force --set vessel.length_unit=m " + options(turned()));
   const auto other = ports();
   ASSERT_EQ(other.size(), plain.size());
   for (const auto& [name, port] : plain) {

@@ -47,6 +47,7 @@ struct VesselCase {
 struct FluidCase {
   double density = 0, viscosity = 0;  // kg/m3, Pa.s
   std::optional<double> sound_speed;  // m/s
+  config::Node origin;
 };
 
 struct NetworkCase {

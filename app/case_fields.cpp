@@ -89,6 +89,7 @@ void declare(config::Fields<FluidCase>& f) {
        "sound_speed", &FluidCase::sound_speed, "m/s",
        "artificial speed of sound; without it chosen from the largest velocity and pressure to be expected")
       .positive();
+  f.origin(&FluidCase::origin);
 }
 
 void declare(config::Fields<NetworkCase>& f) {

@@ -97,6 +97,8 @@ int run_program(int argc, char** argv) {
     return report(exit_user_error, "error: ", e.what());
   } catch (const NumericsError& e) {
     return report(exit_numerics_error, "numerics error: ", e.what());
+  } catch (const Interrupted&) {
+    return report(exit_interrupted, "", "interrupted before the first step: there is nothing to go on from");
   } catch (const std::exception& e) {
     return report(exit_bug, "bug, please report it: ", e.what());
   }

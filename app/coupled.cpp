@@ -34,7 +34,7 @@ class Session {
         key_(checkpoint_key(study, setup.model, setup.lumen)),
         scales_(flow_scales(study, setup, start)),
         end_(study.time.final()),
-        run_(make_run(study, scales_, setup, start, saved)),
+        run_(make_run(study, scales_, setup, start, saved, options.quiet)),
         recorder_(study, options.case_name, options.folder, effective_case(study, setup.model), names(setup),
                   saved ? std::optional(saved->recorded) : std::nullopt),
         fields_(options.folder.path(), run_.vessel().model(),
@@ -75,9 +75,14 @@ class Session {
 
   static coupling::CoupledRun<D> make_run(const Case& study, const FlowScales& scales, const Setup<D>& setup,
                                           const std::optional<network::Start>& start,
-                                          const std::optional<SavedRun<D>>& saved) {
+                                          const std::optional<SavedRun<D>>& saved, bool quiet) {
     const auto fluid = fluid_options<D>(study, scales);
-    const auto options = coupled_options(study, scales);
+    auto options = coupled_options(study, scales);
+    Progress filling({.end = 1, .quiet = quiet, .task = "filling the vessel"});
+    options.progress = [&](double share) {
+      if (interrupted()) throw Interrupted{};
+      filling.update(share, 0);
+    };
     network::Network network(setup.model, setup.ports);
     if (saved) return {saved->run, setup.lumen, fluid, setup.profiles, std::move(network), options};
     return {setup.lumen, fluid, setup.profiles, std::move(network), start, options};

@@ -59,6 +59,18 @@ double seen_swing(const std::optional<network::Start>& start, double datum_time)
   return datum_time > 0 ? std::min(datum_time * start->max_pressure_rate, swing) : swing;
 }
 
+/// A fluid faster than its own sound is none; below ten times the velocity its density varies by more than 1 %.
+void check_sound_speed(const Case& study, double speed) {
+  constexpr double least = 3.0, good = 10.0;
+  if (!study.fluid.sound_speed || *study.fluid.sound_speed >= least * speed) return;
+  study.fluid.origin.at("sound_speed")
+      .error(
+          "the sound speed of {:.3g} m/s is too low for blood that may reach {:.3g} m/s here; choose {:.3g} "
+          "m/s or more, "
+          "or leave it out",
+          *study.fluid.sound_speed, speed, good * speed);
+}
+
 }  // namespace
 
 template <int D>
@@ -75,6 +87,7 @@ FlowScales flow_scales(const Case& study, const Setup<D>& setup, const std::opti
         std::max(scales.speed, 0.75 * factor * inflow.peak);  // outlets are short of a full parabola
     rate = std::max(rate, share[k] * inflow.rate / network.port(k).area);
   }
+  check_sound_speed(study, scales.speed);
   const double rho = study.fluid.density;
   scales.length = sph3d::length_between_openings(setup.lumen);
   scales.sound_speed = study.fluid.sound_speed.value_or(10.0 * scales.speed);

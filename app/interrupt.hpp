@@ -3,6 +3,9 @@
 
 namespace ostium::app {
 
+/// Thrown where there is nothing yet to save.
+struct Interrupted {};
+
 void catch_interrupts();
 bool interrupted();
 

@@ -57,6 +57,7 @@ void Progress::finish() {
 std::string Progress::line(const Options& o, double time, long steps, double wall, const std::string& extra) {
   const double done = o.end > o.start ? std::clamp((time - o.start) / (o.end - o.start), 0.0, 1.0) : 1.0;
   const double left = done > 0 ? wall * (1 - done) / done : std::numeric_limits<double>::infinity();
+  if (!o.task.empty()) return fmt::format("{}  {:.0f} %  ETA {}", o.task, 100 * done, clock_text(left));
   std::string text = fmt::format("{:.4g} / {:.4g} s", time, o.end);
   if (o.period > 0)
     text += fmt::format("  cycle {}", 1 + static_cast<long>(std::floor(time / o.period * (1 + 1e-12))));

@@ -17,6 +17,8 @@ class Progress {
     double period = 0;          // s; 0: no cycles
     std::FILE* stream = stdout;
     bool quiet = false;
+    std::string task =
+        {};  // named instead of times and steps where there are none: "filling the vessel  40 %  ETA 0:08"
     double pipe_interval = 5, terminal_interval = 0.2;  // s of wall time between two lines
   };
   explicit Progress(Options options);

@@ -228,6 +228,12 @@ StepReport Vessel<D>::report(double dt, int acoustic_steps) {
   report.kinetic_energy = std::accumulate(energy.begin(), energy.end(), 0.0);
   if (!finite)
     numerics_error("the flow has blown up: a particle has no finite velocity at t = {:.6g} s", state_.time);
+  if (worst > 0.5)
+    numerics_error(
+        "the flow has blown up: density is {:.0f} % away from that of blood at t = {:.6g} s, the largest "
+        "velocity is {:.3g} "
+        "m/s at a sound speed of {:.3g} m/s",
+        100 * worst, state_.time, std::sqrt(speed2), model_->options.sound_speed);
   state_.max_speed = report.max_speed = std::sqrt(speed2);
   state_.max_acceleration = std::sqrt(acceleration2);
   return report;

@@ -38,7 +38,7 @@ void for_sites(const Slice<D>& slice, const Duct<D>& duct, const Vec<D>& x, F&& 
 template <int D>
 double taken_by(const Model<D>& model, const VesselState<D>& state, int k, std::int32_t i) {
   return model.slices[k].spacing * window(model.ducts[k].depth(state.fluid.position[i]), model.options.dp) /
-         (1.0 + state.fluid.psi(i));
+         std::max(0.5, 1.0 + state.fluid.psi(i));  // bounded also in a fluid that is blowing up
 }
 
 /// How deep the part that is looked at would be, were it empty.

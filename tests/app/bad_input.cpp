@@ -164,6 +164,18 @@ TEST_F(BadInput, SurfaceOpen) {
   EXPECT_THAT(text, HasSubstr("cap_open_ends"));
 }
 
+TEST_F(BadInput, SoundSlowerThanTheBlood) {
+  EXPECT_THAT(
+      refused("vessel:\n  dimension: 2\n  outline: [[0 mm, 0 mm], [4 mm, 0 mm], [4 mm, 1 mm], [0 mm, 1 mm]]\n"
+              "  spacing: 0.1 mm\n  openings: {in: {edge: 3, profile: plug}, out: {edge: 1}}\n"
+              "fluid: {sound_speed: 1 m/s}\n"
+              "network:\n  blocks:\n    pump: {type: flow_source, to: in, flow: 1e-3 m3/s}\n"
+              "    sink: {type: pressure_source, to: out, pressure: 0 Pa}\ntime: {end: 0.1 s}\n"),
+      HasSubstr("case.yaml:6:9: fluid.sound_speed: the sound speed of 1 m/s is too low for blood that may "
+                "reach 1.2 "
+                "m/s here; choose 12 m/s or more, or leave it out"));
+}
+
 TEST_F(BadInput, EmptyYaml) {
   EXPECT_THAT(
       refused(""),

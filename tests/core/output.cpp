@@ -66,6 +66,8 @@ TEST(Progress, Line) {
   EXPECT_THAT(Progress::line(options, 0.66, 1, 4000, ""), HasSubstr("cycle 2  50 %"));
   EXPECT_THAT(Progress::line(options, 0.66, 1, 4000, ""), HasSubstr("ETA 1:06:40"));
   EXPECT_THAT(Progress::line(options, 0, 0, 0, ""), HasSubstr("0 %  0 steps/s  ETA ?"));
+  EXPECT_EQ(Progress::line({.end = 1, .task = "filling the vessel"}, 0.4, 0, 8, ""),
+            "filling the vessel  40 %  ETA 0:12");
 }
 
 TEST(Progress, PlainLinesInAPipe) {

@@ -32,7 +32,8 @@ std::string vessel_part(const Case& study, int threads) {
                             ? fmt::format("flow prescribed by the network, {} profile",
                                           s.profiles[k] == sph3d::Profile::plug ? "plug" : "parabolic")
                             : "pressure of the network");
-  for (const auto& line : estimate_lines(study, estimate(study, s, threads), threads)) text += line + "\n";
+  const Estimate e = estimate(study, s, nominal_speed(threads));
+  for (const auto& line : estimate_lines(study, e, threads)) text += line + "\n";
   return text;
 }
 
@@ -62,8 +63,8 @@ std::vector<std::string> network_lines(const network::Model& model) {
 std::vector<std::string> estimate_lines(const Case& study, const Estimate& e, int threads) {
   return {fmt::format("particles about {} at {:.4g} mm, memory about {:.2g} GB", count_text(e.particles),
                       1e3 * study.vessel->spacing, e.memory / 1e9),
-          fmt::format("run time  roughly {} on {} cores ({} acoustic steps)", duration_text(e.wall), threads,
-                      count_text(e.steps))};
+          fmt::format("run time  roughly {} on {} cores of ordinary speed ({} acoustic steps)",
+                      duration_text(e.wall), threads, count_text(e.steps))};
 }
 
 std::string check(const Case& study, int threads) {

@@ -1,15 +1,34 @@
 #include "app/estimate.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-#include "app/flow_scales.hpp"
+#include "app/coupled_options.hpp"
 #include "core/error.hpp"
 
 namespace ostium::app {
 namespace {
 
-constexpr double steps_per_core_second = 2e6, smoothing_ratio = 1.3;
+constexpr double smoothing_ratio = 1.3;
 constexpr double bytes_per_particle = 760, bytes_of_program = 5e7;  // with the copy kept for failures
+
+/// Particles of the vessel and of its ducts.
+template <int D>
+double all_particles(const Case& study, const sph3d::Lumen<D>& lumen) {
+  double ducts = 0;
+  for (const auto& opening : lumen.openings) ducts += opening.area * sph3d::Duct<D>::layers;
+  return particle_count(study, lumen) + ducts / std::pow(study.vessel->spacing, D - 1);
+}
+
+template <int D>
+void count_steps(const sph3d::FluidOptions<D>& o, double speed, double end, Estimate& e) {
+  const double h = smoothing_ratio * o.dp;
+  const double acoustic = o.acoustic_cfl * h / (o.sound_speed + speed);
+  const double mean = std::max(0.5 * (o.reference_speed + speed), o.viscosity / h);
+  const double advection = std::clamp(o.advection_cfl * h / mean, acoustic, o.most_acoustic_steps * acoustic);
+  e.steps = std::ceil(end / std::min(acoustic, end));
+  e.advection_steps = std::ceil(end / std::min(advection, end));
+}
 
 }  // namespace
 
@@ -20,25 +39,26 @@ std::string count_text(double count) {
 }
 
 std::string duration_text(double seconds) {
+  if (seconds < 9.5) return fmt::format("{:.1g} s", std::max(seconds, 0.1));
   if (seconds < 90) return fmt::format("{:.0f} s", seconds);
   if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
 template <int D>
-Estimate estimate(const Case& study, const Setup<D>& setup, int threads) {
+Estimate estimate(const Case& study, const Setup<D>& setup, const Calibration& speed) {
   Estimate e;
   e.particles = particle_count(study, setup.lumen);
   const FlowScales scales = flow_scales(study, setup, start_of(study, setup.model, setup.ports));
-  const double step = study.numerics.acoustic_cfl * smoothing_ratio * study.vessel->spacing /
-                      (scales.sound_speed + scales.speed);
-  e.steps = std::ceil(study.time.final() / step);
-  e.wall = e.particles * e.steps / (steps_per_core_second * threads);
+  count_steps(fluid_options<D>(study, scales), scales.speed, study.time.final(), e);
+  e.wall = speed.modelling * setup.lumen.wall_area / std::pow(study.vessel->spacing, D - 1) +
+           all_particles(study, setup.lumen) *
+               (speed.filling + e.steps * speed.acoustic + e.advection_steps * speed.advection);
   e.memory = bytes_of_program + bytes_per_particle * e.particles;
   return e;
 }
 
-template Estimate estimate(const Case&, const Setup<2>&, int);
-template Estimate estimate(const Case&, const Setup<3>&, int);
+template Estimate estimate(const Case&, const Setup<2>&, const Calibration&);
+template Estimate estimate(const Case&, const Setup<3>&, const Calibration&);
 
 }  // namespace ostium::app

@@ -26,7 +26,7 @@ std::string note_of(const network::Entry& entry) {
 template <int D>
 void draw(const Case& study, const std::string& title, int threads, const std::filesystem::path& png) {
   const Setup<D> s = set_up<D>(study);
-  const Estimate e = estimate(study, s, threads);
+  const Estimate e = estimate(study, s, calibrate<D>(threads));
   sph3d::PreviewOptions options{.title = title, .notes = {"Network"}};
   for (const auto& entry : s.model.entries) options.notes.push_back(note_of(entry));
   options.notes.insert(
@@ -34,8 +34,10 @@ void draw(const Case& study, const std::string& title, int threads, const std::f
       {"",
        fmt::format("about {} particles of {:.3g} mm", count_text(e.particles), 1e3 * study.vessel->spacing),
        fmt::format("memory about {:.2g} GB", e.memory / 1e9),
-       fmt::format("run time roughly {} on {} cores", duration_text(e.wall), threads)});
+       fmt::format("run time about {} on {} cores", duration_text(e.wall), threads)});
   sph3d::preview(s.lumen, options, png);
+  log::info("run time about {} on {} free cores, from a short run on this machine", duration_text(e.wall),
+            threads);
   log::info("written to {}", png.string());
 }
 

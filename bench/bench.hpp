@@ -1,26 +1,74 @@
 /// What ostium-bench measures.
 ///
-///   kernels   on one thread, all rivals in turn: the acoustic step (kick and density) and the sums of the advection step
-///             (sums and corrected sums), ns per particle; `plain` is the double-precision reference with stored pairs
-///   engine    whole advection steps of a vessel with everything they contain; a particle-step is one particle through one
-///             acoustic step, its share of the advection step included
+///   machine   of one core: single-precision multiply-add rate, memory rate (triad)
+///   step      the fluid of a tube on one thread: acoustic step, advection step by part, walls, memory
+///   kernels   on one thread, all rivals in turn: the acoustic step (kick and density) and the sums of the advection step,
+///             ns per particle; `plain` is the double-precision reference with stored pairs
+///   engine    whole advection steps of a vessel with everything they contain, on one thread and two; a particle-step is
+///             one particle through one acoustic step, its share of the advection step included
+///
+/// Ratios of these figures are compared with a stored baseline: times on different machines, or beside other work, cannot be.
 #pragma once
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "bench/measure.hpp"
-#include "sph3d/geometry/lumen.hpp"
+
+namespace ostium::sph3d {
+template <int D>
+class Vessel;
+}
 
 namespace ostium::bench {
 
 struct Options {
-  double particles = 60000;            // of the tube for the kernels
+  double particles = 60000;            // of the tube
   std::filesystem::path surface = {};  // of the vessel for the engine; empty: a generated arch
   double length_unit = 1e-2;           // m per unit of that file
   double spacing = 1e-3;               // m, for the engine
   int rounds = 7;
-  std::filesystem::path json = {};
+  std::filesystem::path json = {}, baseline = {}, write_baseline = {};
+};
+
+/// Best of several tries, of one core.
+struct MachineResult {
+  double multiply_add = 0, triad = 0;  // flop/s, bytes/s
+  std::string vectors;
+  double load =
+      0;  // average of the minute before: above the number of cores, wall times (engine) are disturbed
+  int cores = 0;
+};
+
+/// A part of a step, s per particle each time it is done.
+struct Part {
+  std::string name;
+  Timing time;
+  double share = 1;  // of advection steps that have it
+  double mean() const { return share * time.median; }
+};
+
+/// Clusters with a particle that feels the wall, and those without: s per particle.
+struct WallResult {
+  double near_share = 0;  // of the clusters
+  struct Row {
+    std::string what;
+    Timing near, inner;
+  };
+  std::vector<Row> rows = {};
+  double ratio = 0;  // near over inner, of an advection step with its acoustic steps
+};
+
+struct StepResult {
+  std::size_t particles = 0;
+  double row_length = 0, acoustic_per_advection = 0;
+  Timing kick = {}, density = {};
+  std::vector<Part> parts = {};
+  double resident = 0, resident_before = 0;  // bytes: largest so far, and before the vessel was made
+  WallResult walls = {};
+
+  double acoustic() const { return kick.median + density.median; }
+  double advection() const;  // s per particle, its acoustic steps apart
 };
 
 struct KernelRow {
@@ -47,10 +95,27 @@ struct EngineResult {
   std::vector<EngineRow> rows;
 };
 
-sph3d::Lumen<3> tube_of(double particles, double spacing);
-sph3d::Lumen<3> engine_vessel(const Options& options, std::string& name);
+struct Results {
+  MachineResult machine;
+  StepResult step;
+  KernelResult kernels;
+  EngineResult engine;
+};
 
-KernelResult measure_kernels(const Options& options);
+MachineResult measure_machine();
+/// `resident_before`: see StepResult.
+StepResult measure_step(sph3d::Vessel<3>& tube, const Options& options, double resident_before);
+WallResult measure_walls(const sph3d::Vessel<3>& tube, double acoustic_per_advection, int rounds);
+KernelResult measure_kernels(const sph3d::Vessel<3>& tube, const Options& options);
 EngineResult measure_engine(const Options& options);
+
+/// Largest resident size of this process so far, bytes.
+double peak_resident();
+
+void print(const MachineResult& machine);
+void print(const StepResult& step, const MachineResult& machine);
+void print(const KernelResult& kernels);
+void print(const EngineResult& engine);
+void write_json(const Results& results, const std::filesystem::path& file);
 
 }  // namespace ostium::bench

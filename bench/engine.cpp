@@ -1,25 +1,13 @@
 #include <omp.h>
 
-#include "bench/bench.hpp"
+#include "bench/workload.hpp"
 #include "sph3d/step/prepare.hpp"
-#include "sph3d/vessel.hpp"
 
 namespace ostium::bench {
 
 using namespace sph3d;
 
 namespace {
-
-constexpr double inflow_speed = 0.3;  // m/s, mean over the largest opening
-
-/// Flow into the largest opening; every other one answers with its own acoustic impedance.
-std::vector<Drive> drives_of(const Lumen<3>& lumen, const FluidOptions<3>& fluid) {
-  std::vector<Drive> drives(lumen.openings.size());
-  drives[0].flow_in = inflow_speed * lumen.openings[0].area;
-  for (std::size_t k = 1; k < drives.size(); ++k)
-    drives[k].law.resistance = fluid.density * fluid.sound_speed / lumen.openings[k].area;
-  return drives;
-}
 
 /// What an advection step does before its acoustic steps.
 void prepare(const Model<3>& model, FluidState<3>& fluid, Workspace<3>& work) {
@@ -52,20 +40,11 @@ Sample sample(Vessel<3>& vessel, const std::vector<Drive>& drives, int steps) {
 }  // namespace
 
 EngineResult measure_engine(const Options& options) {
-  constexpr int start_steps = 16, steps = 8;
-  const FluidOptions<3> fluid{.dp = options.spacing,
-                              .density = 1060,
-                              .viscosity = 3.8e-6,
-                              .sound_speed = 10,
-                              .reference_speed = 0.5,
-                              .density_relaxation = 0.2};
+  constexpr int steps = 16;  // from one ordering of memory to the next
   EngineResult result;
   const Lumen<3> lumen = engine_vessel(options, result.vessel);
-  std::vector<OpeningRole> roles(lumen.openings.size());
-  roles[0].flow_driven = true;
-  Vessel<3> vessel(lumen, fluid, roles);
-  const auto drives = drives_of(lumen, fluid);
-  for (int k = 0; k < start_steps; ++k) vessel.advance(1.0, drives, 0.01);
+  Vessel<3> vessel = flowing(lumen, options.spacing);
+  const auto drives = drives_of(vessel);
 
   const int available = omp_get_max_threads();
   std::vector<int> threads{1};

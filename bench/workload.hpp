@@ -1,20 +1,40 @@
-/// What the benchmark runs: a straight tube of about so many particles, or a vessel from a file.
+/// What is measured: a straight tube of about so many particles, or a vessel from a file; both with blood in motion.
 #pragma once
-#include <filesystem>
+#include <vector>
 
+#include "bench/bench.hpp"
+#include "sph3d/step/workspace.hpp"
 #include "sph3d/vessel.hpp"
 
 namespace ostium::bench {
 
-/// A tube 20 particles across with an inflow and an outlet of fixed pressure, stepped until it flows.
-sph3d::Vessel<3> flowing_tube(int particles);
+/// Four diameters long.
+sph3d::Lumen<3> tube_of(double particles, double spacing);
+/// The file of the options, or a generated arch.
+sph3d::Lumen<3> engine_vessel(const Options& options, std::string& name);
 
-/// The surface (lengths in cm) at 1 mm, all openings but the largest at fixed pressure; blood at systolic speed.
-sph3d::Vessel<3> flowing_aorta(const std::filesystem::path& surface);
-
-/// A generated arch of about the same size.
-sph3d::Vessel<3> flowing_arch();
-
+/// Filled, with an inflow at the first opening, and some steps old.
+sph3d::Vessel<3> flowing(const sph3d::Lumen<3>& lumen, double spacing);
+/// Flow into the first opening; every other one answers with its own acoustic impedance.
 std::vector<sph3d::Drive> drives_of(const sph3d::Vessel<3>& vessel);
+
+/// A fluid in motion with its advection step prepared: what the parts of a step are measured on.
+struct Prepared {
+  const sph3d::Model<3>& model;
+  sph3d::FluidState<3> fluid;
+  sph3d::Workspace<3> work;
+
+  explicit Prepared(const sph3d::Vessel<3>& vessel);
+  std::int64_t clusters() const { return static_cast<std::int64_t>(fluid.clusters.size()); }
+
+  void sums(const sph3d::FluidKernels<3>& kernels, std::int64_t begin, std::int64_t end);
+  void corrections(const sph3d::FluidKernels<3>& kernels, std::int64_t begin, std::int64_t end);
+  void corrected_sums(const sph3d::FluidKernels<3>& kernels, std::int64_t begin, std::int64_t end);
+  void kick(const sph3d::FluidKernels<3>& kernels, std::int64_t begin, std::int64_t end);
+  void density(const sph3d::FluidKernels<3>& kernels, std::int64_t begin, std::int64_t end);
+  void show_pressures();
+};
+
+inline constexpr float still = 1e-9f;  // s, of an acoustic step: repeated steps leave the fluid as it is
 
 }  // namespace ostium::bench

@@ -4,8 +4,8 @@
 
 namespace ostium::sph3d {
 
-/// Merges coincident corners, on open edges also those that differ by rounding in double (1e-12 of the surface's size); drops
-/// degenerate and doubled triangles.
+/// Merges coincident corners; drops degenerate and doubled triangles. Corners that differ, by however little, are left to
+/// join_open_edges, which a case asks for.
 void weld(Soup& soup);
 
 /// Merges corners of open edges that nearly coincide: parts written with different rounding.

@@ -129,11 +129,7 @@ void drop_unused_points(Soup& soup) {
 
 void weld(Soup& soup) {
   renumber(soup, same_points(soup.points));
-  int degenerate = drop_degenerate(soup);
-  note(soup, weld_open_edges(soup, 1e-12),
-       "corners joined that differ by rounding, by less than 1e-12 of the vessel's size");
-  degenerate += drop_degenerate(soup);
-  note(soup, degenerate, "degenerate triangles dropped");
+  note(soup, drop_degenerate(soup), "degenerate triangles dropped");
   note(soup, drop_doubled(soup), "doubled triangles dropped");
 }
 

@@ -18,7 +18,7 @@ struct Zone {
     float depth;
     float
         drive;  ///< pressure-driven: 2 n.B grad(open filling) as the particles see it, what a unit of pressure does, 1/m;
-                ///< flow-driven: velocity over Q/A, scaled so that the particles of the duct carry exactly Q
+        ///< flow-driven: velocity over Q/A, scaled so that the particles of the duct carry exactly Q
   };
   std::vector<Member> members;
   std::vector<std::int32_t> before_cap;  ///< particles of the vessel next to the cap

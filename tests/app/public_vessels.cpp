@@ -40,8 +40,7 @@ class PublicVessels : public ProgramTest {
   static std::vector<double> areas(const PublicVessel& vessel) {
     std::vector<double> areas;
     const auto measured = nlohmann::json::parse(std::ifstream(vessels / vessel.expected));
-    for (const auto& cap : measured.at("caps"))
-      areas.push_back(cap["area"].get<double>() * vessel.square);
+    for (const auto& cap : measured.at("caps")) areas.push_back(cap["area"].get<double>() * vessel.square);
     std::sort(areas.rbegin(), areas.rend());
     return areas;
   }

@@ -57,6 +57,12 @@ struct WallResult {
   };
   std::vector<Row> rows = {};
   double ratio = 0;  // near over inner, of an advection step with its acoustic steps
+  /// Virtual layers in place of the filling field, which takes `look around` and nothing in the acoustic steps.
+  struct LayerRow {
+    double spacing = 0, row_length = 0;  // of the shell, over dp; shell particles per cluster
+    Timing rows, sums, impact;           // advection step: row lists and sums; each acoustic step
+  };
+  std::vector<LayerRow> layers = {};
 };
 
 struct StepResult {

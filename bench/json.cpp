@@ -24,7 +24,17 @@ Json json_of(const WallResult& w) {
   Json rows;
   for (const auto& row : w.rows)
     rows.push_back({{"what", row.what}, {"near", json_of(row.near)}, {"inner", json_of(row.inner)}});
-  return {{"share_of_clusters", w.near_share}, {"near_over_inner", w.ratio}, {"rows", rows}};
+  Json layers;
+  for (const auto& row : w.layers)
+    layers.push_back({{"spacing_over_dp", row.spacing},
+                      {"shell_particles_per_cluster", row.row_length},
+                      {"rows", json_of(row.rows)},
+                      {"sums", json_of(row.sums)},
+                      {"each_acoustic_step", json_of(row.impact)}});
+  return {{"share_of_clusters", w.near_share},
+          {"near_over_inner", w.ratio},
+          {"rows", rows},
+          {"virtual_layers", layers}};
 }
 
 Json json_of(const StepResult& s, const MachineResult& m) {

@@ -52,6 +52,13 @@ void print(const WallResult& w) {
   fmt::print("{:<28} {:>9} {:>9}\n", "ns per particle, median", "near", "inner");
   for (const auto& row : w.rows)
     fmt::print("{:<28} {:9.1f} {:9.1f}\n", row.what, ns(row.near.median), ns(row.inner.median));
+  for (const auto& row : w.layers)
+    fmt::print(
+        "layers at dp/{:g} instead of the field: rows {:.1f}, sums {:.1f} (look around {:.1f}), each "
+        "acoustic step {:.1f} "
+        "more; {:.0f} shell particles per cluster\n",
+        1 / row.spacing, ns(row.rows.median), ns(row.sums.median), ns(w.rows.front().near.median),
+        ns(row.impact.median), row.row_length);
   fmt::print("near over inner, advection step with its acoustic steps (rows apart): {:.2f}\n", w.ratio);
 }
 

@@ -1,3 +1,7 @@
+#include <memory>
+#include <stdexcept>
+
+#include "bench/layer_rows.hpp"
 #include "bench/workload.hpp"
 
 namespace ostium::bench {
@@ -43,6 +47,34 @@ bool near_wall(const ClusterSurroundings<3>& around) {
   return false;
 }
 
+constexpr double shell_spacings[] = {1.0, 0.5};  // over dp
+
+/// Layers on the same clusters, in turn with the look-up of the field they replace.
+std::vector<WallResult::LayerRow> measure_layers(const Prepared& p, const std::vector<std::size_t>& near,
+                                                 std::function<void()> look_up, int rounds) {
+  std::vector<std::unique_ptr<LayerRows>> layers;
+  std::vector<std::function<void()>> rivals{std::move(look_up)};
+  for (const double spacing : shell_spacings) {
+    LayerRows& rows =
+        *layers.emplace_back(std::make_unique<LayerRows>(p, near, spacing * p.model.options.dp));
+    rivals.insert(rivals.end(), {[&] { rows.find(); }, [&] { rows.sums(); }, [&] { rows.impact(); }});
+  }
+  const auto times = in_turn(rivals, rounds);
+  const auto per = [&](const Timing& t) {
+    return Timing{t.median / (8.0 * double(near.size())), t.best / (8.0 * double(near.size()))};
+  };
+  std::vector<WallResult::LayerRow> result;
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    if (layers[k]->error() > 1e-3) throw std::runtime_error("virtual layers in lanes: sums are wrong");
+    result.push_back({.spacing = shell_spacings[k],
+                      .row_length = layers[k]->mean_length(),
+                      .rows = per(times[3 * k + 1]),
+                      .sums = per(times[3 * k + 2]),
+                      .impact = per(times[3 * k + 3])});
+  }
+  return result;
+}
+
 using Kernel = void (Prepared::*)(const FluidKernels<3>&, std::int64_t, std::int64_t);
 
 }  // namespace
@@ -50,7 +82,12 @@ using Kernel = void (Prepared::*)(const FluidKernels<3>&, std::int64_t, std::int
 WallResult measure_walls(const Vessel<3>& tube, double acoustic_per_advection, int rounds) {
   Prepared p(tube);
   Group near, inner;
-  for (std::int64_t c = 0; c < p.clusters(); ++c) (near_wall(p.work.around[c]) ? near : inner).add(p, c);
+  std::vector<std::size_t> near_clusters;
+  for (std::int64_t c = 0; c < p.clusters(); ++c) {
+    const bool is_near = near_wall(p.work.around[c]);
+    (is_near ? near : inner).add(p, c);
+    if (is_near) near_clusters.push_back(c);
+  }
   const auto over = [&](Group& part, Kernel kernel) {
     return [&p, &part, kernel] {
       for (const auto& [begin, end] : part.stretches) (p.*kernel)(fluid_kernels<3>(), begin, end);
@@ -81,6 +118,7 @@ WallResult measure_walls(const Vessel<3>& tube, double acoustic_per_advection, i
     sum[1] += weight * result.rows.back().inner.median;
   }
   result.ratio = sum[0] / sum[1];
+  result.layers = measure_layers(p, near_clusters, look(near), rounds);
   return result;
 }
 

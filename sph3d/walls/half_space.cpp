@@ -15,13 +15,13 @@ struct Sums {
 };
 
 template <int D>
-Sums integrate(const Wendland<D>& kernel, double s, double s_min) {
+Sums integrate(const Wendland<D>& kernel, double s, double s_min, double most) {
   Sums sums;
   const double reach = kernel.reach(), dx = (reach - s) / quadrature;
   for (int i = 0; i < quadrature; ++i) {
     const double x = s + (i + 0.5) * dx;  // along the normal
     const double t_max = std::sqrt(std::max(reach * reach - x * x, 0.0)), dt = t_max / quadrature;
-    const double lambda = 1.0 + std::min((x - s) / std::max(s, s_min), 2.0);
+    const double lambda = 1.0 + std::min((x - s) / std::max(s, s_min), most);
     for (int j = 0; j < quadrature; ++j) {
       const double t = (j + 0.5) * dt;  // across it
       const double r = std::hypot(x, t), slope = -kernel.slope(r);
@@ -52,10 +52,10 @@ double plane_integral(const Wendland<D>& kernel, double s) {
 }  // namespace
 
 template <int D>
-HalfSpace<D>::HalfSpace(const Wendland<D>& kernel, double dp) : reach_(kernel.reach()) {
+HalfSpace<D>::HalfSpace(const Wendland<D>& kernel, double dp, double most) : reach_(kernel.reach()) {
   for (int i = 0; i <= n; ++i) {
     const double s = reach_ * i / n;
-    const Sums sums = integrate(kernel, s, 0.25 * dp);
+    const Sums sums = integrate(kernel, s, 0.25 * dp, most);
     filling_[i] = sums.filling;
     flux_[i] = plane_integral(kernel, s);
     moment_n_[i] = sums.moment_n;

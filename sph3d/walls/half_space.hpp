@@ -11,7 +11,7 @@
 ///   int 2 lambda |W'|/r (e.n)^2 dV       1/m^2    } deceleration by the wall: nu f (v - v_wall),
 ///   friction_t(s)    f_t = same, tangential                     1/m^2    } f = f_n n.Bn + f_t (tr B - n.Bn)
 ///
-///   lambda = 1 + min(depth / max(s, dp/4), 2): the velocity continues linearly through the wall, the ratio
+///   lambda = 1 + min(depth / max(s, dp/4), most): the velocity continues linearly through the wall, the ratio
 ///   capped.
 ///
 /// All are tabulated over s in [0, 2h]; distance(S) inverts the filling. Negative s (a particle that has
@@ -27,7 +27,7 @@ namespace ostium::sph3d {
 template <int D>
 class HalfSpace {
  public:
-  HalfSpace(const Wendland<D>& kernel, double dp);
+  HalfSpace(const Wendland<D>& kernel, double dp, double most = 2.0);
 
   double filling(double s) const;
   double flux(double s) const;

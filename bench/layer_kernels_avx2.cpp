@@ -1,0 +1,2 @@
+#define OSTIUM_ISA avx2
+#include "bench/layer_kernels.inc"

@@ -1,0 +1,2 @@
+#define OSTIUM_ISA baseline
+#include "bench/layer_kernels.inc"

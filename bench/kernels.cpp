@@ -13,8 +13,10 @@ namespace {
 
 std::vector<const FluidKernels<3>*> all_kernels() {
   std::vector<const FluidKernels<3>*> all{&fluid_kernels<3>()};
-  setenv("OSTIUM_ISA", "baseline", 1);
-  if (&fluid_kernels<3>() != all[0]) all.push_back(&fluid_kernels<3>());
+  for (const char* isa : {"avx2", "baseline"}) {
+    setenv("OSTIUM_ISA", isa, 1);
+    if (&fluid_kernels<3>() != all.back()) all.push_back(&fluid_kernels<3>());
+  }
   unsetenv("OSTIUM_ISA");
   return all;
 }

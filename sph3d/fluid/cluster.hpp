@@ -77,9 +77,20 @@ struct Rows {
   std::int32_t count;
 };
 
-/// A stretch of particles in the order of the search grid.
-struct Stretch {
-  std::int32_t begin, end;
+/// Positions of a cluster side by side, for searches; empty places are where nobody finds them.
+template <int D>
+struct alignas(32) Points {
+  float x[D][8];
+};
+
+/// Eight boxes side by side: corners of clusters, or of groups of eight of them, and so on.
+template <int D>
+struct alignas(32) Boxes {
+  float low[D][8], high[D][8];
+};
+template <int D>
+struct Box {
+  float low[D], high[D];
 };
 
 /// Constants of a step, the same for all clusters.
@@ -116,10 +127,13 @@ struct FluidKernels {
   /// psi advances by `weight` dt (1, or 1/2 at the end of an advection step).
   void (*density)(std::int64_t begin, std::int64_t end, Cluster<D>*, const Rows*, PlaceRecord*,
                   const VelocityRecord*, const FluidConstants&, float dt, float weight);
-  /// Of the particles in these stretches of the grid's order, the indices of those within reach of any of the cluster's
-  /// eight; returns their number. out has room for all of them.
-  std::int32_t (*within_reach)(const Cluster<D>&, const PlaceRecord* in_grid_order, const std::int32_t* index,
-                               const Stretch* stretches, std::int32_t count, std::int32_t* out);
+  /// Of the boxes in these eights, the indices (8 eight + lane) of those within reach of a box; returns their number.
+  std::int32_t (*boxes_within_reach)(const Box<D>&, const Boxes<D>*, const std::int32_t* eights,
+                                     std::int32_t count, std::int32_t* out);
+  /// Of the particles in these clusters, the indices of those within reach of any of the cluster's eight; returns their
+  /// number. out has room for all of them.
+  std::int32_t (*within_reach)(const Cluster<D>&, const Points<D>*, const std::int32_t* clusters,
+                               std::int32_t count, std::int32_t* out);
   const char* name;
 };
 

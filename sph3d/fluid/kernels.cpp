@@ -1,24 +1,34 @@
 #include <cstdlib>
-#include <cstring>
+#include <string_view>
 
 #include "sph3d/fluid/cluster.hpp"
 
 namespace ostium::sph3d {
 
-namespace baseline {
-template <int D>
-const FluidKernels<D>& table();
-}
-namespace avx2 {
-template <int D>
-const FluidKernels<D>& table();
-}
+#define OSTIUM_DECLARE(isa)       \
+  namespace isa {                 \
+  template <int D>                \
+  const FluidKernels<D>& table(); \
+  }
+OSTIUM_DECLARE(baseline)
+#ifndef OSTIUM_BASELINE_ONLY
+OSTIUM_DECLARE(avx2)
+OSTIUM_DECLARE(avx512)
+#endif
 
 template <int D>
 const FluidKernels<D>& fluid_kernels() {
-  const char* choice = std::getenv("OSTIUM_ISA");  // "baseline" for comparisons; anything else picks the best
-  const bool plain = choice && std::strcmp(choice, "baseline") == 0;
-  if (!plain && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2::table<D>();
+#ifndef OSTIUM_BASELINE_ONLY
+  const char* wish =
+      std::getenv("OSTIUM_ISA");  // "baseline" or "avx2" for comparisons; otherwise the best there is
+  const std::string_view choice = wish ? wish : "";
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && choice != "baseline";
+  const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+                      choice != "avx2";
+  if (avx512) return avx512::table<D>();
+  if (avx2) return avx2::table<D>();
+#endif
   return baseline::table<D>();
 }
 

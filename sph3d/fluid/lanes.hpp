@@ -23,6 +23,11 @@ OSTIUM_INLINE Lanes least(const Lanes& a, const Lanes& b) { return stdx::min(a, 
 OSTIUM_INLINE Lanes most(const Lanes& a, const Lanes& b) { return stdx::max(a, b); }
 OSTIUM_INLINE Lanes positive_part(const Lanes& a) { return stdx::max(a, Lanes(0.0f)); }
 
+/// One bit per lane, lane 0 the lowest, where a < b.
+OSTIUM_INLINE unsigned below(const Lanes& a, const Lanes& b) {
+  return static_cast<unsigned>((a < b).__to_bitset().to_ulong());  // libstdc++'s own; the standard has no way
+}
+
 /// D lanes-wide numbers: a vector per particle.
 template <int D>
 struct VecLanes {

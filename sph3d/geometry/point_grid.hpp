@@ -1,4 +1,4 @@
-/// Points sorted into cubes, to find those near a place. Internal to geometry/.
+/// Points sorted into cubes (squares), to find those near a place.
 #pragma once
 #include <array>
 #include <cmath>
@@ -10,35 +10,38 @@
 
 namespace ostium::sph3d {
 
+template <int D>
 class PointGrid {
  public:
-  PointGrid(const std::vector<Vec3>& points, double reach) : points_(points), reach_(reach) {
+  PointGrid(const std::vector<Vec<D>>& points, double reach) : points_(points), reach_(reach) {
     for (int i = 0; i < int(points.size()); ++i) cubes_[key(cube(points[i]))].push_back(i);
   }
 
   /// Calls visit(j, x - x_j) for every point within the reach of x, in a fixed order.
   template <class Visit>
-  void near(const Vec3& x, Visit visit) const {
-    const Cube c = cube(x);
-    for (int n = 0; n < 27; ++n) {
-      const auto at = cubes_.find(key({c[0] + n % 3 - 1, c[1] + n / 3 % 3 - 1, c[2] + n / 9 - 1}));
+  void near(const Vec<D>& x, Visit visit) const {
+    const Cube own = cube(x);
+    for (int n = 0; n < (D == 3 ? 27 : 9); ++n) {
+      const Cube c = beside(own, n);
+      const auto at = cubes_.find(key(c));
       if (at == cubes_.end()) continue;
       for (int j : at->second) {
-        const Vec3 apart = x - points_[j];
+        const Vec<D> apart = x - points_[j];
         // Two cubes may share a key: the cube of the point decides which visit finds it.
-        if (apart.squaredNorm() < reach_ * reach_ && within(c, cube(points_[j]), n)) visit(j, apart);
+        if (apart.squaredNorm() < reach_ * reach_ && cube(points_[j]) == c) visit(j, apart);
       }
     }
   }
 
  private:
-  using Cube = std::array<std::int64_t, 3>;
-  static bool within(const Cube& c, const Cube& p, int n) {
-    return p[0] == c[0] + n % 3 - 1 && p[1] == c[1] + n / 3 % 3 - 1 && p[2] == c[2] + n / 9 - 1;
+  using Cube = std::array<std::int64_t, D>;
+  static Cube beside(Cube c, int n) {
+    for (int d = 0; d < D; ++d, n /= 3) c[d] += n % 3 - 1;
+    return c;
   }
-  Cube cube(const Vec3& x) const {
+  Cube cube(const Vec<D>& x) const {
     Cube c;
-    for (int d = 0; d < 3; ++d) c[d] = std::int64_t(std::floor(x[d] / reach_));
+    for (int d = 0; d < D; ++d) c[d] = std::int64_t(std::floor(x[d] / reach_));
     return c;
   }
   static std::uint64_t key(const Cube& c) {
@@ -47,7 +50,7 @@ class PointGrid {
     return k;
   }
 
-  const std::vector<Vec3>& points_;
+  const std::vector<Vec<D>>& points_;
   double reach_;
   std::unordered_map<std::uint64_t, std::vector<int>> cubes_;
 };

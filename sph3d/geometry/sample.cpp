@@ -88,7 +88,7 @@ void project(Points& p, const SignedDistance<3>& nearest, const Wall& wall) {
 /// narrow lumen do not see each other.
 void spread(Points& p, double spacing) {
   const double h = smoothing * spacing;
-  const PointGrid grid(p.position, 2 * h);
+  const PointGrid<3> grid(p.position, 2 * h);
   std::vector<Vec3> moved = p.position;
 #pragma omp parallel for schedule(static) if (p.position.size() > 4000)
   for (int i = 0; i < int(p.position.size()); ++i) {
@@ -107,7 +107,7 @@ void spread(Points& p, double spacing) {
 /// Number density and smoothed normal of every point.
 std::pair<std::vector<double>, std::vector<Vec3>> smoothed(const Points& p, double spacing) {
   const double h = smoothing * spacing;
-  const PointGrid grid(p.position, 2 * h);
+  const PointGrid<3> grid(p.position, 2 * h);
   std::vector<double> density(p.position.size(), 0);
   std::vector<Vec3> normal(p.position.size(), Vec3::Zero());
 #pragma omp parallel for schedule(static) if (p.position.size() > 4000)

@@ -70,7 +70,7 @@ class Clusters {
  public:
   Clusters(const std::vector<Vec3>& points, double reach) : parent_(points.size()) {
     std::iota(parent_.begin(), parent_.end(), 0);
-    const PointGrid grid(points, reach);
+    const PointGrid<3> grid(points, reach);
     for (int i = 0; i < int(points.size()); ++i)
       grid.near(points[i], [&](int j, const Vec3&) { join(find(i), find(j)); });
   }

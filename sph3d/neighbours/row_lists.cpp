@@ -3,126 +3,161 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace ostium::sph3d {
 
 namespace {
 
-constexpr float cell_size = 0.5f;
+constexpr float nowhere = -2e6f;                         // where the search puts empty places
+constexpr float wide_cluster = 2.0f, wide_group = 3.0f;  // extents, over the reach, of what is not compact
+constexpr float largest = std::numeric_limits<float>::max();
 
 template <int D>
-struct Box {
-  float low[D], high[D];
-};
+Box<D> box_of(const Boxes<D>& boxes, int lane) {
+  Box<D> box;
+  for (int d = 0; d < D; ++d) box.low[d] = boxes.low[d][lane], box.high[d] = boxes.high[d][lane];
+  return box;
+}
 
 template <int D>
-Box<D> bounds(const Cluster<D>& cluster, const PlaceRecord* own) {
+void set_box(Boxes<D>& boxes, int lane, const Box<D>& box) {
+  for (int d = 0; d < D; ++d) boxes.low[d][lane] = box.low[d], boxes.high[d][lane] = box.high[d];
+}
+
+template <int D>
+Box<D> nothing() {
+  Box<D> box;
+  for (int d = 0; d < D; ++d) box.low[d] = largest, box.high[d] = -largest;
+  return box;
+}
+
+/// Around all eight.
+template <int D>
+Box<D> hull(const Boxes<D>& boxes) {
   Box<D> box;
   for (int d = 0; d < D; ++d) {
-    box.low[d] = std::numeric_limits<float>::max();
-    box.high[d] = std::numeric_limits<float>::lowest();
-    for (int lane = 0; lane < 8; ++lane)
-      if (own[lane].w != 0.0f) {
-        box.low[d] = std::min(box.low[d], cluster.x[d][lane]);
-        box.high[d] = std::max(box.high[d], cluster.x[d][lane]);
-      }
+    box.low[d] = *std::min_element(boxes.low[d], boxes.low[d] + 8);
+    box.high[d] = *std::max_element(boxes.high[d], boxes.high[d] + 8);
   }
   return box;
 }
 
-/// Lower and upper corner of everything that is there.
 template <int D>
-Box<D> bounds(const std::vector<PlaceRecord>& place) {
-  Box<D> box;
-  std::fill(box.low, box.low + D, std::numeric_limits<float>::max());
-  std::fill(box.high, box.high + D, std::numeric_limits<float>::lowest());
-#pragma omp parallel
-  {
-    Box<D> mine = box;
-#pragma omp for schedule(static) nowait
-    for (std::size_t i = 0; i < place.size(); ++i)
-      for (int d = 0; d < D && place[i].w != 0.0f; ++d) {
-        mine.low[d] = std::min(mine.low[d], (&place[i].x)[d]);
-        mine.high[d] = std::max(mine.high[d], (&place[i].x)[d]);
-      }
-#pragma omp critical
-    for (int d = 0; d < D; ++d) {
-      box.low[d] = std::min(box.low[d], mine.low[d]);
-      box.high[d] = std::max(box.high[d], mine.high[d]);
-    }
-  }
-  return box;
+bool empty(const Box<D>& box) {
+  return box.low[0] > box.high[0];
+}
+
+template <int D>
+bool wider(const Box<D>& box, float limit) {
+  for (int d = 0; d < D; ++d)
+    if (box.high[d] - box.low[d] > limit) return true;
+  return false;
 }
 
 }  // namespace
 
+/// Points and box of every cluster, and the tree above them.
 template <int D>
-void RowLists<D>::bin(const std::vector<PlaceRecord>& place) {
-  const std::size_t n = place.size() - 1;
-  const Box<D> box = bounds<D>(place);
-  std::size_t cells = 1;
-  for (int d = 0; d < D; ++d) {
-    grid_.origin[d] = box.low[d];
-    grid_.cells[d] = std::max(1, static_cast<int>((box.high[d] - box.low[d]) / cell_size) + 1);
-    cells *= grid_.cells[d];
-  }
-  cell_.resize(n);
+void RowLists<D>::bound(const std::vector<Cluster<D>>& clusters, const std::vector<PlaceRecord>& place) {
+  const std::size_t n = clusters.size();
+  points_.resize(n);
+  std::size_t eights = (n + 7) / 8, height = 1;
+  for (std::size_t m = eights; m > 1; m = (m + 7) / 8) ++height;
+  levels_.resize(height);
+  for (auto& level : levels_) level.resize(eights), eights = (eights + 7) / 8;
+  const auto bound_cluster = [&](std::size_t c) {
+    Box<D> box = nothing<D>();
+    for (int d = 0; d < D; ++d)
+      for (int lane = 0; lane < 8; ++lane) {
+        const bool filled = place[8 * c + lane].w != 0.0f;
+        const float x = clusters[c].x[d][lane];
+        points_[c].x[d][lane] = filled ? x : nowhere;
+        box.low[d] = std::min(box.low[d], filled ? x : largest);
+        box.high[d] = std::max(box.high[d], filled ? x : -largest);
+      }
+    return box;
+  };
 #pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < n; ++i) {
-    std::int32_t cell = place[i].w == 0.0f ? -1 : 0;
-    for (int d = D - 1; d >= 0 && cell >= 0; --d)
-      cell = cell * grid_.cells[d] + static_cast<int>(((&place[i].x)[d] - grid_.origin[d]) / cell_size);
-    cell_[i] = cell;
-  }
-  grid_.first.assign(cells + 1, 0);
-  for (const std::int32_t cell : cell_) ++grid_.first[cell + 1];  // the empty ones at 0, taken back at once
-  grid_.first[0] = 0;
-  for (std::size_t c = 0; c < cells; ++c) grid_.first[c + 1] += grid_.first[c];
-  grid_.index.resize(grid_.first[cells]);
-  std::vector<std::int32_t> next(grid_.first.begin(), grid_.first.end() - 1);
-  for (std::size_t i = 0; i < n; ++i)
-    if (cell_[i] >= 0) grid_.index[next[cell_[i]]++] = static_cast<std::int32_t>(i);
-  grid_.place.resize(grid_.index.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t k = 0; k < grid_.index.size(); ++k) grid_.place[k] = place[grid_.index[k]];
+  for (std::size_t g = 0; g < levels_[0].size(); ++g)
+    for (std::size_t c = 8 * g; c < 8 * g + 8; ++c)
+      set_box(levels_[0][g], static_cast<int>(c % 8), c < n ? bound_cluster(c) : nothing<D>());
+  for (std::size_t l = 1; l < height; ++l)
+    for (std::size_t k = 0; k < 8 * levels_[l].size(); ++k)
+      set_box(levels_[l][k / 8], static_cast<int>(k % 8),
+              k < levels_[l - 1].size() ? hull(levels_[l - 1][k]) : nothing<D>());
 }
 
-/// Lines of cells along the first axis that come within reach of the cluster's box, and the stretch of each that does.
+/// One thread's way through the tree.
 template <int D>
-void RowLists<D>::find_stretches(const Cluster<D>& cluster, const PlaceRecord* own,
-                                 std::vector<Stretch>& stretches) const {
-  stretches.clear();
-  const Box<D> box = bounds(cluster, own);
-  if (box.low[0] > box.high[0]) return;
-  const auto cell = [&](int d, float x) {
-    return std::min(static_cast<int>(std::max(x - grid_.origin[d], 0.0f) / cell_size), grid_.cells[d] - 1);
-  };
-  const auto outside = [&](int d, int c) {  // distance between the box and the cells c of direction d
-    const float low = grid_.origin[d] + cell_size * c;
-    return std::max({0.0f, low - box.high[d], box.low[d] - low - cell_size});
-  };
-  const int k_low = D == 3 ? cell(D - 1, box.low[D - 1] - 1) : 0,
-            k_high = D == 3 ? cell(D - 1, box.high[D - 1] + 1) : 0;
-  for (int k = k_low; k <= k_high; ++k) {
-    const float away_k = D == 3 ? outside(D - 1, k) : 0.0f;
-    for (int j = cell(1, box.low[1] - 1); j <= cell(1, box.high[1] + 1); ++j) {
-      const float away_j = outside(1, j), left = 1.001f - away_k * away_k - away_j * away_j;
-      if (left <= 0.0f) continue;
-      const float along = std::sqrt(left);
-      const std::size_t line =
-          (static_cast<std::size_t>(D == 3 ? k * grid_.cells[1] : 0) + j) * grid_.cells[0];
-      const Stretch stretch{grid_.first[line + cell(0, box.low[0] - along)],
-                            grid_.first[line + cell(0, box.high[0] + along) + 1]};
-      if (stretch.begin < stretch.end) stretches.push_back(stretch);
+class RowLists<D>::Search {
+ public:
+  explicit Search(const RowLists& lists) : lists_(lists) {}
+
+  /// The clusters whose particles may be within reach of cluster c; group by group.
+  const std::vector<std::int32_t>& candidates(const Cluster<D>& cluster, std::size_t c) {
+    const Box<D> box = box_of(lists_.levels_[0][c / 8], static_cast<int>(c % 8));
+    clusters_.clear();
+    if (empty(box)) return clusters_;
+    if (wider(box, wide_cluster)) {
+      for (int lane = 0; lane < 8; ++lane) add_around(cluster, c, lane);
+      std::sort(clusters_.begin(), clusters_.end());
+      clusters_.erase(std::unique(clusters_.begin(), clusters_.end()), clusters_.end());
+      return clusters_;
+    }
+    if (c / 8 != group_ || compact_ == false) find_groups(c / 8, box);
+    step(box, 0, groups_, clusters_);
+    return clusters_;
+  }
+
+ private:
+  /// Those of the boxes of one level, eight by eight, that are within reach.
+  void step(const Box<D>& box, std::size_t level, const std::vector<std::int32_t>& eights,
+            std::vector<std::int32_t>& out) const {
+    const std::size_t before = out.size();
+    out.resize(before + 8 * eights.size());
+    const std::int32_t found =
+        kernels_.boxes_within_reach(box, lists_.levels_[level].data(), eights.data(),
+                                    static_cast<std::int32_t>(eights.size()), out.data() + before);
+    out.resize(before + found);
+  }
+
+  /// Leaves in groups_ the groups of clusters within reach of a box.
+  void descend(const Box<D>& box) {
+    groups_.assign(1, 0);
+    for (std::size_t level = lists_.levels_.size() - 1; level > 0; --level) {
+      next_.clear();
+      step(box, level, groups_, next_);
+      std::swap(groups_, next_);
     }
   }
-}
+
+  void find_groups(std::size_t group, const Box<D>& cluster) {
+    const Box<D> whole = hull(lists_.levels_[0][group]);
+    compact_ = !wider(whole, wide_group);
+    group_ = group;
+    descend(compact_ ? whole : cluster);
+  }
+
+  void add_around(const Cluster<D>& cluster, std::size_t c, int lane) {
+    if (lists_.points_[c].x[0][lane] == nowhere) return;
+    Box<D> point;
+    for (int d = 0; d < D; ++d) point.low[d] = point.high[d] = cluster.x[d][lane];
+    descend(point);
+    compact_ = false;
+    step(point, 0, groups_, clusters_);
+  }
+
+  const RowLists& lists_;
+  const FluidKernels<D>& kernels_ = fluid_kernels<D>();
+  std::vector<std::int32_t> groups_, next_, clusters_;
+  std::size_t group_ = static_cast<std::size_t>(-1);  // whose way down groups_ is, if that is compact
+  bool compact_ = false;
+};
 
 template <int D>
 void RowLists<D>::build(const std::vector<Cluster<D>>& clusters, const std::vector<PlaceRecord>& place) {
-  bin(place);
+  bound(clusters, place);
   const std::int64_t count = static_cast<std::int64_t>(clusters.size());
   const auto none = static_cast<std::int32_t>(place.size() - 1);
   const auto& kernels = fluid_kernels<D>();
@@ -135,16 +170,15 @@ void RowLists<D>::build(const std::vector<Cluster<D>>& clusters, const std::vect
     std::vector<std::int32_t>& list = storage_[me];
     std::vector<std::size_t> offset;
     offset.reserve(end - begin + 1);
-    std::vector<Stretch> stretches;
+    Search search(*this);
     std::size_t size = 0;
     for (std::int64_t c = begin; c < end; ++c) {
       offset.push_back(size);
-      find_stretches(clusters[c], &place[8 * c], stretches);
-      std::size_t candidates = 2;
-      for (const Stretch& s : stretches) candidates += s.end - s.begin;
-      if (list.size() < size + candidates) list.resize(2 * (size + candidates));
-      size += kernels.within_reach(clusters[c], grid_.place.data(), grid_.index.data(), stretches.data(),
-                                   static_cast<std::int32_t>(stretches.size()), list.data() + size);
+      const auto& candidates = search.candidates(clusters[c], c);
+      const std::size_t most = 8 * candidates.size() + 2;
+      if (list.size() < size + most) list.resize(2 * (size + most));
+      size += kernels.within_reach(clusters[c], points_.data(), candidates.data(),
+                                   static_cast<std::int32_t>(candidates.size()), list.data() + size);
       if ((size - offset.back()) % 2) list[size++] = none;
     }
     offset.push_back(size);
@@ -152,6 +186,11 @@ void RowLists<D>::build(const std::vector<Cluster<D>>& clusters, const std::vect
       rows_[c] = {list.data() + offset[c - begin],
                   static_cast<std::int32_t>(offset[c - begin + 1] - offset[c - begin])};
   }
+}
+
+template <int D>
+Box<D> RowLists<D>::box(std::size_t cluster) const {
+  return box_of(levels_[0][cluster / 8], static_cast<int>(cluster % 8));
 }
 
 template <int D>
@@ -163,8 +202,8 @@ double RowLists<D>::mean_length() const {
 
 template <int D>
 std::size_t RowLists<D>::bytes() const {
-  std::size_t sum = rows_.capacity() * sizeof(Rows) +
-                    (grid_.first.capacity() + grid_.index.capacity() + cell_.capacity()) * 4;
+  std::size_t sum = rows_.capacity() * sizeof(Rows) + points_.capacity() * sizeof(Points<D>);
+  for (const auto& level : levels_) sum += level.capacity() * sizeof(Boxes<D>);
   for (const auto& list : storage_) sum += list.capacity() * sizeof(std::int32_t);
   return sum;
 }

@@ -1,9 +1,12 @@
 /// Neighbour rows: for each cluster of eight, every particle within reach of any of the eight.
 ///
-/// Rebuilt from scratch when positions are frozen: the particles are binned on a grid of half the reach, and
-/// each cluster filters the bins around it exactly. Rows are in grid order, so a sum over them is the same
-/// for any number of threads. Coordinates are those of the records (over the reach, so the reach is 1).
-/// Particles with w = 0 (empty places) are left out; odd lists are padded with the index `none`.
+/// Rebuilt from scratch when positions are frozen. The order of memory is a nested bisection, so eight consecutive clusters
+/// form a compact group, eight groups a larger one, and so on: a tree of boxes without pointers. A group of clusters goes
+/// down that tree once, each of its clusters then tests boxes and at last particles, eight side by side. Clusters that are
+/// not compact (particles that came through openings since the last ordering, or two branches in one cluster) go down the
+/// tree once for each of their particles. Rows are in the order of memory, so a sum over them is the same for any number of
+/// threads. Coordinates are those of the records (over the reach, so the reach is 1). Odd lists are padded with the index
+/// `none`.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -15,28 +18,24 @@ namespace ostium::sph3d {
 template <int D>
 class RowLists {
  public:
-  /// place has 8 * clusters.size() entries and one more, an empty one, whose index is `none`.
+  /// place has 8 * clusters.size() entries and one more, an empty one, whose index is `none`; entries with w = 0 are
+  /// empty.
   void build(const std::vector<Cluster<D>>& clusters, const std::vector<PlaceRecord>& place);
 
   const Rows* data() const { return rows_.data(); }
   const Rows& operator[](std::size_t cluster) const { return rows_[cluster]; }
+  /// Around the particles of a cluster when the rows were built; low above high where it is empty.
+  Box<D> box(std::size_t cluster) const;
   double mean_length() const;
   std::size_t bytes() const;
 
  private:
-  struct Grid {
-    float origin[D];
-    int cells[D];
-    std::vector<std::int32_t> first;  // of each cell, then the end
-    std::vector<std::int32_t> index;  // particles by cell
-    std::vector<PlaceRecord> place;   // their records in that order
-  };
-  void bin(const std::vector<PlaceRecord>& place);
-  void find_stretches(const Cluster<D>& cluster, const PlaceRecord* own,
-                      std::vector<Stretch>& stretches) const;
+  class Search;
+  void bound(const std::vector<Cluster<D>>& clusters, const std::vector<PlaceRecord>& place);
 
-  Grid grid_;
-  std::vector<std::int32_t> cell_;
+  std::vector<Points<D>> points_;  // of each cluster
+  std::vector<std::vector<Boxes<D>>>
+      levels_;  // of clusters, of groups of eight clusters, and so on up to one eight
   std::vector<std::vector<std::int32_t>> storage_;  // one per thread
   std::vector<Rows> rows_;
 };

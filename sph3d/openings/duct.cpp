@@ -26,6 +26,14 @@ bool Duct<D>::before_cap(const Vec<D>& x) const {
 }
 
 template <int D>
+bool Duct<D>::near(const Vec<D>& x, double distance) const {
+  const Vec<D> r = x - opening_.centre;
+  const double out = r.dot(opening_.normal);
+  if (out < -2.0 * dp_ - distance || out > length_ + 3.0 * dp_ + distance) return false;
+  return (r - out * opening_.normal).norm() < radius_ + 0.5 * dp_ + distance;
+}
+
+template <int D>
 double Duct<D>::crossed(double depth) const {
   const double x = std::clamp((length_ - depth) / (4.0 * dp_), 0.0, 1.0);
   return x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);

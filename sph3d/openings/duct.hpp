@@ -37,6 +37,8 @@ class Duct {
   bool holds(const Vec<D>& x) const;
   /// Whether x lies in the vessel within two spacings of the cap: where the pressure of the opening is read.
   bool before_cap(const Vec<D>& x) const;
+  /// Whether anything within this distance of x can lie in one or the other.
+  bool near(const Vec<D>& x, double distance) const;
   double crossed(double depth) const;
   /// The point of the duct at this depth, opposite to x in the plane of the opening.
   Vec<D> at_depth(const Vec<D>& x, double depth) const {

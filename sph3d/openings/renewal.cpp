@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "sph3d/geometry/point_grid.hpp"
+#include "sph3d/neighbours/order.hpp"
+#include "sph3d/step/lane_access.hpp"
 
 namespace ostium::sph3d {
 
@@ -17,21 +22,27 @@ double window(double s, double dp) {
   return 1.0 - x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
 }
 
+/// A site's say in what stands opposite to it at this distance over dp: nearly a Gaussian of width 0.6, zero from 1.7 on.
+double weight_of(double distance2) {
+  const double t = std::max(1.0 - distance2 / 2.88, 0.0), t2 = t * t, t4 = t2 * t2;
+  return t4 * t4;
+}
+
 /// f(site, share) for the sites a particle at x belongs to; the shares add up to one.
 template <int D, class F>
 void for_sites(const Slice<D>& slice, const Duct<D>& duct, const Vec<D>& x, F&& f) {
   const Vec<D> on_slice = duct.at_depth(x, duct.length());
+  const double scale = 1.0 / (duct.spacing() * duct.spacing());
   const auto& near = slice.near(on_slice);
+  const auto weight = [&](std::int32_t a) {
+    return weight_of(scale * (slice.sites[a] - on_slice).squaredNorm());
+  };
   double sum = 0;
-  thread_local std::vector<double> weight;
-  weight.clear();
+  for (const std::int32_t a : near) sum += weight(a);
   for (const std::int32_t a : near) {
-    weight.push_back(
-        std::exp(-(slice.sites[a] - on_slice).squaredNorm() / (0.36 * duct.spacing() * duct.spacing())));
-    sum += weight.back();
+    const double share = sum > 0.0 ? weight(a) / sum : 1.0 / static_cast<double>(near.size());
+    if (share > 0.0) f(a, share);
   }
-  for (std::size_t n = 0; n < near.size(); ++n)
-    f(near[n], sum > 0.0 ? weight[n] / sum : 1.0 / static_cast<double>(near.size()));
 }
 
 /// The depth of the duct that a particle takes up, in the part that is looked at.
@@ -50,21 +61,29 @@ double whole_depth(const Model<D>& model, int k) {
 /// How much of the duct between the outer face and the fluid is empty, as a depth, summed over the sites.
 template <int D>
 double room(const Model<D>& model, const VesselState<D>& state, const Workspace<D>& work, int k) {
-  double sum = whole_depth(model, k) * static_cast<double>(model.slices[k].sites.size());
-  for (const auto& member : work.zones[k].members) sum -= taken_by(model, state, k, member.index);
-  return sum;
+  const auto& members = work.zones[k].members;
+  return whole_depth(model, k) * static_cast<double>(model.slices[k].sites.size()) -
+         ordered_sum(members.size(),
+                     [&](std::size_t m) { return taken_by(model, state, k, members[m].index); });
 }
 
-/// The same for each site.
+/// The same for each site. In parallel by shares of fixed length, whose depths are added in their order.
 template <int D>
 std::vector<double> free_depth(const Model<D>& model, const VesselState<D>& state, const Workspace<D>& work,
                                int k) {
+  constexpr std::size_t shares = 8;
   const Slice<D>& slice = model.slices[k];
+  const auto& members = work.zones[k].members;
+  std::vector<std::vector<double>> taken(shares, std::vector<double>(slice.sites.size()));
+#pragma omp parallel for schedule(static)
+  for (std::size_t part = 0; part < shares; ++part)
+    for (std::size_t m = members.size() * part / shares; m < members.size() * (part + 1) / shares; ++m)
+      if (const double depth = taken_by(model, state, k, members[m].index); depth > 0.0)
+        for_sites(slice, model.ducts[k], state.fluid.position[members[m].index],
+                  [&](std::int32_t a, double share) { taken[part][a] += share * depth; });
   std::vector<double> depth(slice.sites.size(), whole_depth(model, k));
-  for (const auto& member : work.zones[k].members)
-    if (const double taken = taken_by(model, state, k, member.index); taken > 0.0)
-      for_sites(slice, model.ducts[k], state.fluid.position[member.index],
-                [&](std::int32_t a, double share) { depth[a] -= share * taken; });
+  for (const auto& part : taken)
+    for (std::size_t a = 0; a < depth.size(); ++a) depth[a] -= part[a];
   return depth;
 }
 
@@ -80,53 +99,84 @@ void remove_leavers(const Model<D>& model, VesselState<D>& state, Workspace<D>& 
   members.erase(kept, members.end());
 }
 
-/// Kernel means over the duct: velocity along n, density deviation.
+/// The places of new particles: one for every layer's share of room, each at the site that is emptiest then.
 template <int D>
-std::pair<double, double> means(const Model<D>& model, const FluidState<D>& fluid, const Zone<D>& zone,
-                                const Vec<D>& x, const Vec<D>& n) {
-  double weight = 1e-300, speed = 0, psi = 0;
-  for (const auto& member : zone.members) {
-    const double w = model.kernel.value((fluid.position[member.index] - x).norm());
-    weight += w;
-    speed += w * fluid.velocity(member.index).dot(n);
-    psi += w * fluid.psi(member.index);
-  }
-  return {speed / weight, psi / weight};
-}
-
-template <int D>
-void insert(const Model<D>& model, VesselState<D>& state, Workspace<D>& work, int k, const Vec<D>& x) {
-  const Vec<D>& n = model.ducts[k].opening().normal;
-  const auto [speed, psi] = means(model, state.fluid, work.zones[k], x, n);
-  const std::size_t i = state.fluid.insert(x);
-  work.duct_of.resize(state.fluid.places(), -1);  // it may stand in a new cluster
-  work.duct_of[i] = static_cast<std::int8_t>(k);
-  state.fluid.velocity(i, Vec<D>(speed * n));
-  const double c = model.options.sound_speed;
-  state.fluid.psi(i) = static_cast<float>(
-      model.roles[k].flow_driven ? psi : state.ports[k].face_pressure / (model.options.density * c * c));
-  state.ports[k].inserted += state.fluid.volume;
-  work.zones[k].members.push_back(
-      {static_cast<std::int32_t>(i), static_cast<float>(model.ducts[k].depth(x)), 0.0f});
-}
-
-template <int D>
-void insert_arrivals(const Model<D>& model, VesselState<D>& state, Workspace<D>& work, int k) {
+std::vector<Vec<D>> places_of_arrivals(const Model<D>& model, VesselState<D>& state, const Workspace<D>& work,
+                                       int k) {
   const Duct<D>& duct = model.ducts[k];
   const Slice<D>& slice = model.slices[k];
+  std::vector<Vec<D>> places;
   double sum = room(model, state, work, k);
-  if (sum <= 0.0) return;
+  if (sum <= 0.0) return places;
   std::vector<double> depth = free_depth(model, state, work, k);
   double& level = state.ports[k].insertion_level;
-  while (sum > 0.0) {  // the duct as a whole has room for a particle; the emptiest site takes it
+  while (sum > 0.0) {
     const auto emptiest = std::max_element(depth.begin(), depth.end());
     const double excess = *emptiest / slice.spacing - level;
     level += excess / static_cast<double>(depth.size());
     const double s = slice.spacing * std::clamp(brim + excess, 0.0, 2.0 * brim);
-    const Vec<D> x = duct.at_depth(slice.sites[emptiest - depth.begin()], s);
-    insert(model, state, work, k, x);
-    for_sites(slice, duct, x, [&](std::int32_t a, double share) { depth[a] -= share * slice.spacing; });
+    places.push_back(duct.at_depth(slice.sites[emptiest - depth.begin()], s));
+    for_sites(slice, duct, places.back(),
+              [&](std::int32_t a, double share) { depth[a] -= share * slice.spacing; });
     sum -= slice.spacing;
+  }
+  return places;
+}
+
+/// The members of a zone near its outer face, to take means over them.
+template <int D>
+class NearFace {
+ public:
+  NearFace(const Model<D>& model, const FluidState<D>& fluid, const Zone<D>& zone, int k)
+      : model_(model), fluid_(fluid), normal_(model.ducts[k].opening().normal) {
+    for (const auto& member : zone.members)
+      if (member.depth < model.reach() + 2.0 * model.options.dp) {
+        index_.push_back(member.index);
+        position_.push_back(fluid.position[member.index]);
+      }
+    grid_.emplace(position_, model.reach());
+  }
+
+  /// Kernel means: velocity along the normal, density deviation.
+  std::pair<double, double> means(const Vec<D>& x) const {
+    double weight = 1e-300, speed = 0, psi = 0;
+    grid_->near(x, [&](int n, const Vec<D>& apart) {
+      const double w = model_.kernel.value(apart.norm());
+      weight += w;
+      speed += w * fluid_.velocity(index_[n]).dot(normal_);
+      psi += w * fluid_.psi(index_[n]);
+    });
+    return {speed / weight, psi / weight};
+  }
+
+ private:
+  const Model<D>& model_;
+  const FluidState<D>& fluid_;
+  Vec<D> normal_;
+  std::vector<std::int32_t> index_;
+  std::vector<Vec<D>> position_;
+  std::optional<PointGrid<D>> grid_;
+};
+
+/// New particles stand together in memory as they do in the duct.
+template <int D>
+void insert_arrivals(const Model<D>& model, VesselState<D>& state, Workspace<D>& work, int k) {
+  const std::vector<Vec<D>> places = places_of_arrivals(model, state, work, k);
+  if (places.empty()) return;
+  const NearFace<D> neighbours(model, state.fluid, work.zones[k], k);
+  const double c = model.options.sound_speed,
+               face_psi = state.ports[k].face_pressure / (model.options.density * c * c);
+  for (const std::int32_t n : bisection_order<D>(places)) {
+    const Vec<D>& x = places[n];
+    const auto [speed, psi] = neighbours.means(x);
+    const std::size_t i = state.fluid.insert(x);
+    work.duct_of.resize(state.fluid.places(), -1);  // it may stand in a new cluster
+    work.duct_of[i] = static_cast<std::int8_t>(k);
+    state.fluid.velocity(i, Vec<D>(speed * model.ducts[k].opening().normal));
+    state.fluid.psi(i) = static_cast<float>(model.roles[k].flow_driven ? psi : face_psi);
+    state.ports[k].inserted += state.fluid.volume;
+    work.zones[k].members.push_back(
+        {static_cast<std::int32_t>(i), static_cast<float>(model.ducts[k].depth(x)), 0.0f});
   }
 }
 
@@ -138,10 +188,11 @@ void count_ports(const Model<D>& model, VesselState<D>& state, Workspace<D>& wor
   for (std::size_t k = 0; k < state.ports.size(); ++k) {
     const Duct<D>& duct = model.ducts[k];
     const Zone<D>& zone = work.zones[k];
-    double crossed = 0, psi = 0;
-    for (const auto& member : zone.members)
-      crossed += duct.crossed(duct.depth(state.fluid.position[member.index]));
-    for (const std::int32_t i : zone.before_cap) psi += state.fluid.psi(i);
+    const double crossed = ordered_sum(zone.members.size(), [&](std::size_t m) {
+      return duct.crossed(duct.depth(state.fluid.position[zone.members[m].index]));
+    });
+    const double psi = ordered_sum(
+        zone.before_cap.size(), [&](std::size_t m) { return double(state.fluid.psi(zone.before_cap[m])); });
     PortState& port = state.ports[k];
     port.counted = state.fluid.volume * crossed + port.deleted - port.inserted;
     if (!zone.before_cap.empty())

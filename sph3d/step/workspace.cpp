@@ -32,6 +32,27 @@ FluidConstants constants_of(const Model<D>& model) {
   return constants;
 }
 
+namespace {
+
+template <int D>
+void find_clusters_near_ducts(const Model<D>& model, std::size_t clusters, Workspace<D>& work) {
+  const double margin = 3.0 * model.options.dp;
+  work.near_duct.assign(model.ducts.size(), {});
+  for (std::size_t c = 0; c < clusters; ++c) {
+    const Box<D> box = work.rows.box(c);
+    Vec<D> low, high;
+    for (int d = 0; d < D; ++d) low[d] = box.low[d], high[d] = box.high[d];
+    if (low[0] > high[0]) continue;
+    const Vec<D> centre = model.origin + 0.5 * model.reach() * (low + high);
+    const double radius = 0.5 * model.reach() * (high - low).norm();
+    for (std::size_t k = 0; k < model.ducts.size(); ++k)
+      if (model.ducts[k].near(centre, radius + margin))
+        work.near_duct[k].push_back(static_cast<std::int32_t>(c));
+  }
+}
+
+}  // namespace
+
 template <int D>
 void freeze(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
   const std::size_t n = state.places();
@@ -58,25 +79,36 @@ void freeze(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
   work.velocity[n] = {};
   work.matrix[n] = {};
   work.rows.build(state.clusters, work.place);
+  find_clusters_near_ducts(model, state.clusters.size(), work);
 }
 
 template <int D>
 void find_zones(const Model<D>& model, const FluidState<D>& state, Workspace<D>& work) {
   const auto before_cap = [](std::size_t k) { return static_cast<std::int8_t>(-2 - static_cast<int>(k)); };
+  const auto for_near = [&](std::size_t k, auto&& f) {
+    for (const std::int32_t c : work.near_duct[k])
+      for (std::size_t i = 8 * c; i < std::size_t(8 * c + 8); ++i)
+        if (state.filled[i]) f(i, state.position[i]);
+  };
   work.duct_of.assign(state.places(), -1);
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < state.places(); ++i)
-    for (std::size_t k = 0; k < model.ducts.size() && state.filled[i]; ++k) {
-      if (model.ducts[k].holds(state.position[i])) work.duct_of[i] = static_cast<std::int8_t>(k);
-      if (model.ducts[k].before_cap(state.position[i])) work.duct_of[i] = before_cap(k);
-    }
-  work.zones.assign(model.ducts.size(), {});
-  for (std::size_t i = 0; i < state.places(); ++i)
-    if (const int k = work.duct_of[i]; k >= 0)
-      work.zones[k].members.push_back(
-          {static_cast<std::int32_t>(i), static_cast<float>(model.ducts[k].depth(state.position[i])), 0.0f});
-    else if (k < -1)
-      work.zones[-2 - k].before_cap.push_back(static_cast<std::int32_t>(i));
+  for (std::size_t k = 0; k < model.ducts.size(); ++k)
+    for_near(k, [&](std::size_t i, const Vec<D>& x) {
+      if (model.ducts[k].holds(x)) work.duct_of[i] = static_cast<std::int8_t>(k);
+      if (model.ducts[k].before_cap(x)) work.duct_of[i] = before_cap(k);
+    });
+  work.zones.resize(model.ducts.size());
+  for (std::size_t k = 0; k < model.ducts.size(); ++k) {
+    Zone<D>& zone = work.zones[k];
+    zone.members.clear();
+    zone.before_cap.clear();
+    for_near(k, [&](std::size_t i, const Vec<D>& x) {
+      const auto index = static_cast<std::int32_t>(i);
+      if (work.duct_of[i] == static_cast<int>(k))
+        zone.members.push_back({index, static_cast<float>(model.ducts[k].depth(x)), 0.0f});
+      else if (work.duct_of[i] == before_cap(k))
+        zone.before_cap.push_back(index);
+    });
+  }
 }
 
 template <int D>
@@ -102,11 +134,11 @@ void look_around(const Model<D>& model, FluidState<D>& state, Workspace<D>& work
       lane_assign<D>(state.clusters[c].wall, lane, wall.flux);
       if (wall.filling > 0.0) {
         around.filling[lane] = static_cast<float>(wall.filling);
-        const double s = space.distance(wall.filling);
-        around.moment_n[lane] = static_cast<float>(space.moment_n(s));
-        around.moment_t[lane] = static_cast<float>(space.moment_t(s));
-        around.friction_n[lane] = static_cast<float>(space.friction_n(s));
-        around.friction_t[lane] = static_cast<float>(space.friction_t(s));
+        const auto share = space.share(around.filling[lane]);
+        around.moment_n[lane] = share.moment_n;
+        around.moment_t[lane] = share.moment_t;
+        around.friction_n[lane] = share.friction_n;
+        around.friction_t[lane] = share.friction_t;
       }
       if (const int k = work.duct_of[i]; k >= 0) {
         const WallSample<D> open = beyond_face(model, k, state.position[i], wall);

@@ -18,7 +18,7 @@ struct Zone {
     float depth;
     float
         drive;  ///< pressure-driven: 2 n.B grad(open filling) as the particles see it, what a unit of pressure does, 1/m;
-        ///< flow-driven: velocity over Q/A, scaled so that the particles of the duct carry exactly Q
+                ///< flow-driven: velocity over Q/A, scaled so that the particles of the duct carry exactly Q
   };
   std::vector<Member> members;
   std::vector<std::int32_t> before_cap;  ///< particles of the vessel next to the cap
@@ -33,15 +33,17 @@ struct Workspace {
   std::vector<ClusterSurroundings<D>> around;
   std::vector<std::int8_t> duct_of;  ///< of each place; negative outside the ducts
   std::vector<Zone<D>> zones;        ///< one per duct
+  std::vector<std::vector<std::int32_t>>
+      near_duct;  ///< clusters that may have a particle in its zone this step
   RowLists<D> rows;
 };
 
-/// Copies the positions into clusters and records (over the reach, from the model's origin) and rebuilds the
-/// rows.
+/// Copies the positions into clusters and records (over the reach, from the model's origin), rebuilds the rows and finds
+/// the clusters near the ducts.
 template <int D>
 void freeze(const Model<D>& model, FluidState<D>& state, Workspace<D>& work);
 
-/// Which particles stand in which duct.
+/// Which particles stand in which duct; they may have moved by three spacings since they were frozen.
 template <int D>
 void find_zones(const Model<D>& model, const FluidState<D>& state, Workspace<D>& work);
 

@@ -63,6 +63,13 @@ HalfSpace<D>::HalfSpace(const Wendland<D>& kernel, double dp, double most) : rea
     friction_n_[i] = sums.friction_n;
     friction_t_[i] = sums.friction_t;
   }
+  const double whole = std::pow(0.5, 0.25), kink = std::pow(filling(0.25 * dp), 0.25);
+  const double per_root = std::floor(shares * kink / whole) / kink;
+  shares_per_root_ = static_cast<float>(per_root);
+  for (int i = 0; i < shares + 2; ++i) {
+    const double s = distance(std::min(std::pow(i / per_root, 4), 0.5));
+    share_[i] = {float(moment_n(s)), float(moment_t(s)), float(friction_n(s)), float(friction_t(s))};
+  }
 }
 
 template <int D>
@@ -90,6 +97,17 @@ double HalfSpace<D>::distance(double S) const {
   const auto i = std::max<std::ptrdiff_t>(below - filling_.begin(), 1);
   const double step = filling_[i - 1] - filling_[i];
   return reach_ / n * (i - 1 + (step > 0.0 ? std::min((filling_[i - 1] - S) / step, 1.0) : 0.0));
+}
+
+template <int D>
+auto HalfSpace<D>::share(float S) const -> Share {
+  const float x = std::sqrt(std::sqrt(std::clamp(S, 0.0f, 0.5f))) * shares_per_root_;
+  const int i = static_cast<int>(x);
+  const float t = x - static_cast<float>(i);
+  const Share &a = share_[i], &b = share_[i + 1];
+  const auto between = [t](float low, float high) { return low + t * (high - low); };
+  return {between(a.moment_n, b.moment_n), between(a.moment_t, b.moment_t),
+          between(a.friction_n, b.friction_n), between(a.friction_t, b.friction_t)};
 }
 
 template class HalfSpace<2>;

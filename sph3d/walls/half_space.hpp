@@ -39,14 +39,24 @@ class HalfSpace {
   /// The distance at which the filling is S; 2h for S <= 0, negative for S > 1/2.
   double distance(double S) const;
 
+  /// Moments and friction at that distance, straight from a table.
+  struct Share {
+    float moment_n, moment_t, friction_n, friction_t;
+  };
+  Share share(float S) const;
+
  private:
-  static constexpr int n = 256;
+  static constexpr int n = 260;  // a node at dp/4, where friction has a kink, for h = 1.3 dp
   using Table = std::array<double, n + 1>;
 
   double at(const Table& table, double s) const;
 
   double reach_;
   Table filling_{}, flux_{}, moment_n_{}, moment_t_{}, friction_n_{}, friction_t_{};
+  /// Over the fourth root of the filling, which is nearly linear in the distance; a node at that kink as well.
+  static constexpr int shares = 1024;
+  std::array<Share, shares + 2> share_{};
+  float shares_per_root_ = 0;
 };
 
 extern template class HalfSpace<2>;

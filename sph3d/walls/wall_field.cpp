@@ -39,6 +39,7 @@ WallField<D>::WallField(const std::function<double(const Vec<D>&)>& phi, const V
   const auto fraction = fractions(phi);
   convolve(fraction, kernel);
   sharpen();
+  find_felt();
   widen_rows();
 }
 
@@ -102,6 +103,13 @@ std::int32_t WallField<D>::block_at(const Index& node) const {
     block = block * blocks_[d] + b;
   }
   return block_of_[block];
+}
+
+template <int D>
+int WallField<D>::cell_of(const Index& node) {
+  int cell = 0;
+  for (int d = D - 1; d >= 0; --d) cell = cell * cells + (node[d] & (edge - 1)) / 2;
+  return cell;
 }
 
 template <int D>
@@ -187,6 +195,32 @@ void WallField<D>::sharpen() {
     });
   }
   values_ = std::move(sharp);
+}
+
+/// A cell is felt where one of the nodes that interpolation there reads is large enough to show.
+template <int D>
+void WallField<D>::find_felt() {
+  constexpr float shows =
+      4e-7f;  // the weights add up to less than two, and a filling below 1e-6 counts as none
+  felt_.assign(stored_.size(), 0);
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::size_t slot = 0; slot < stored_.size(); ++slot) {
+    const Index first = first_node(stored_[slot]);
+    for_nodes<D>(edge + 3, [&](int, const Index& o) {  // nodes -1 .. edge + 1 serve this block
+      Index node;
+      for (int d = 0; d < D; ++d) node[d] = first[d] + o[d] - 1;
+      if (std::abs(node_value(values_, node)) < shows) return;
+      for_nodes<D>(
+          4, [&](int, const Index& back) {  // read by the cells of the nodes from two before to one after
+            Index reader;
+            for (int d = 0; d < D; ++d) {
+              reader[d] = o[d] - 1 + back[d] - 2;
+              if (reader[d] < 0 || reader[d] >= edge) return;
+            }
+            felt_[slot] |= std::uint64_t(1) << cell_of(reader);
+          });
+    });
+  }
 }
 
 /// The blocks as they are read: every row with one node more before and two after it, and one to keep rows aligned.

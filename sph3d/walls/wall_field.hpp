@@ -42,7 +42,7 @@ class WallField {
 
   WallSample<D> operator()(const Vec<D>& x) const;
   std::size_t bytes() const {
-    return values_.size() * sizeof(float) + block_of_.size() * sizeof(std::int32_t);
+    return values_.size() * sizeof(float) + block_of_.size() * sizeof(std::int32_t) + felt_.size() * 8;
   }
 
  private:
@@ -50,6 +50,8 @@ class WallField {
   static constexpr int block_size = D == 2 ? edge * edge : edge * edge * edge;
   static constexpr int wide_row =
       edge + 4;  // nodes -1 .. edge + 2 of a row: four in a row are never torn apart
+  static constexpr int cells =
+      edge / 2;  // per block and direction, of two nodes: where the wall is felt or not
   static constexpr std::int32_t all_fluid = -1, all_wall = -2;  // blocks without nodes of their own
   using Index = std::array<int, D>;
 
@@ -58,8 +60,10 @@ class WallField {
   void convolve(const std::vector<float>& fraction, const Wendland<D>& kernel);
   void sharpen();
   void widen_rows();
+  void find_felt();
 
   std::int32_t block_at(const Index& node) const;
+  static int cell_of(const Index& node);
   float node_value(const std::vector<float>& values, const Index& node) const;
   Index first_node(std::size_t block) const;
   Vec<D> position(const Index& node) const;
@@ -70,6 +74,7 @@ class WallField {
   std::vector<std::int32_t> block_of_;  // storage slot of a block, or all_fluid / all_wall
   std::vector<std::size_t> stored_;     // block number of a slot
   std::vector<float> values_;           // while building block by block, then in wide rows
+  std::vector<std::uint64_t> felt_;     // of a slot: the cells with a filling, a bit each
 };
 
 extern template class WallField<2>;

@@ -16,15 +16,16 @@ using Four = stdx::fixed_size_simd<float, 4>;
 struct Cubic {
   float w[4], d[4];
   explicit Cubic(float t) {
+    constexpr float half = 1.0f / 2, sixth = 1.0f / 6;
     const float a = t + 1, b = t, c = t - 1, e = t - 2;
-    w[0] = -b * c * e / 6;
-    w[1] = a * c * e / 2;
-    w[2] = -a * b * e / 2;
-    w[3] = a * b * c / 6;
-    d[0] = -(b * c + b * e + c * e) / 6;
-    d[1] = (a * c + a * e + c * e) / 2;
-    d[2] = -(a * b + a * e + b * e) / 2;
-    d[3] = (a * b + a * c + b * c) / 6;
+    w[0] = -sixth * b * c * e;
+    w[1] = half * a * c * e;
+    w[2] = -half * a * b * e;
+    w[3] = sixth * a * b * c;
+    d[0] = -sixth * (b * c + b * e + c * e);
+    d[1] = half * (a * c + a * e + c * e);
+    d[2] = -half * (a * b + a * e + b * e);
+    d[3] = sixth * (a * b + a * c + b * c);
   }
 };
 
@@ -44,30 +45,35 @@ WallSample<D> WallField<D>::operator()(const Vec<D>& x) const {
     t[d] = static_cast<float>(u - node[d]);
   }
   WallSample<D> sample;
-  if (const std::int32_t slot = block_at(node); slot < 0) {
-    sample.filling = slot == all_wall ? 1.0 : 0.0;
+  const std::int32_t own = block_at(node);
+  if (own < 0) {
+    sample.filling = own == all_wall ? 1.0 : 0.0;
     return sample;
   }
-  // the rows of the neighbourhood lie in up to two blocks per direction
+  if (!(felt_[own] >> cell_of(node) & 1)) return sample;
+  // the rows of the neighbourhood lie in up to two blocks per direction; a block all of fluid or wall is one row
   constexpr int layers = D == 3 ? 2 : 1;
   const int y = node[1] - 1, z = D == 3 ? node[D - 1] - 1 : 0, column = node[0] & (edge - 1);
-  const float *corner[layers][2],
-      *uniform[layers][2];  // first row of a block, or none where the block is all fluid or all wall
-  for (int k = 0; k < layers; ++k)
-    for (int j = 0; j < 2; ++j) {
-      Index at{node[0], y + edge * j};
-      if constexpr (D == 3) at[2] = z + edge * k;
-      const std::int32_t slot = block_at(at);
-      corner[k][j] = slot < 0
-                         ? nullptr
-                         : &values_[static_cast<std::size_t>(slot) * (block_size / edge) * wide_row + column];
-      uniform[k][j] = slot == all_wall ? everything : nothing;
-    }
+  const float* first_row[2 * layers];
+  std::ptrdiff_t step[2 * layers];
+  for (int b = 0; b < 2 * layers; ++b) {
+    Index at{node[0], y + edge * (b % 2)};
+    if constexpr (D == 3) at[2] = z + edge * (b / 2);
+    const std::int32_t slot = block_at(at);
+    step[b] = slot < 0 ? 0 : wide_row;
+    first_row[b] = slot >= 0
+                       ? &values_[static_cast<std::size_t>(slot) * (block_size / edge) * wide_row + column]
+                   : slot == all_wall ? everything
+                                      : nothing;
+  }
+  int beside[4], number[4];  // of the four rows side by side: their block, and which row of it
+  for (int j = 0; j < 4; ++j) {
+    const int in_y = (y & (edge - 1)) + j;
+    beside[j] = in_y / edge, number[j] = in_y & (edge - 1);
+  }
   const auto row = [&](int j, int k) {  // four nodes from node[0] - 1
-    const int second_y = (y + j) / edge != y / edge, second_z = (z + k) / edge != z / edge;
-    const float* block = corner[second_z][second_y];
-    const int r = ((z + k) & (edge - 1)) * edge + ((y + j) & (edge - 1));
-    return four(block ? block + r * wide_row : uniform[second_z][second_y]);
+    const int in_z = (z & (edge - 1)) + k, block = 2 * (in_z / edge) + beside[j];
+    return four(first_row[block] + ((in_z & (edge - 1)) * edge + number[j]) * step[block]);
   };
   const Cubic cx(t[0]), cy(t[1]);
   Four value = 0.0f, slope_y = 0.0f, slope_z = 0.0f;

@@ -151,6 +151,8 @@ void compare(const char* isa) {
 
 TEST(FluidKernels, AgreeWithThePlainReference2d) { compare<2>(""); }
 TEST(FluidKernels, AgreeWithThePlainReference3d) { compare<3>(""); }
+TEST(FluidKernels, Avx2InstructionsAgreeWithThePlainReference2d) { compare<2>("avx2"); }
+TEST(FluidKernels, Avx2InstructionsAgreeWithThePlainReference3d) { compare<3>("avx2"); }
 TEST(FluidKernels, BaselineInstructionsAgreeWithThePlainReference2d) { compare<2>("baseline"); }
 TEST(FluidKernels, BaselineInstructionsAgreeWithThePlainReference3d) { compare<3>("baseline"); }
 

@@ -1,32 +1,18 @@
 #include "bench/layer_rows.hpp"
 
-#include <cstdlib>
-#include <cstring>
-#include <numeric>
+#include "sph3d/fluid/instruction_set.hpp"
+#include "sph3d/neighbours/order.hpp"
 
 namespace ostium::sph3d {
-namespace baseline {
-const bench::LayerKernels& layer_table();
-}
-namespace avx2 {
-const bench::LayerKernels& layer_table();
-}
+OSTIUM_DECLARE_PER_ISA(const bench::LayerKernels& layer_table())
+static const bench::LayerKernels& chosen() { return OSTIUM_FOR_THIS_PROCESSOR(layer_table()); }
 }  // namespace ostium::sph3d
 
 namespace ostium::bench {
 
 using namespace sph3d;
 
-const LayerKernels& layer_kernels() {
-  return std::strcmp(fluid_kernels<3>().name, "AVX2 + FMA") == 0 ? avx2::layer_table()
-                                                                 : baseline::layer_table();
-}
-
-namespace {
-
-constexpr double half_reaches = 2;  // cells per reach
-
-}  // namespace
+const LayerKernels& layer_kernels() { return chosen(); }
 
 LayerRows::LayerRows(const Prepared& from, std::vector<std::size_t> clusters, double spacing)
     : from_(from), clusters_(std::move(clusters)) {
@@ -53,83 +39,64 @@ LayerRows::LayerRows(const Prepared& from, std::vector<std::size_t> clusters, do
                 .limiter = f.limiter,
                 .c = f.c};
   const double length = upper - lower + 2 * reach;
-  bin(tube_shells<3>(R, spacing, lower - reach, upper + reach,
-                     static_cast<int>(std::ceil(length / spacing))));
-  set_records(spacing);
+  sort(tube_shells<3>(R, spacing, lower - reach, upper + reach,
+                      static_cast<int>(std::ceil(length / spacing))));
+  set_records();
   find();
   sums_.resize(clusters_.size());
 }
 
-void LayerRows::bin(std::vector<Shell<3>> shells) {
-  const double reach = from_.model.reach();
-  std::vector<Vec3> local;
-  Vec3 lower = Vec3::Constant(1e9), upper = -lower;
-  for (const auto& shell : shells) {
-    local.push_back((shell.x - from_.model.origin) / reach);
-    lower = lower.cwiseMin(local.back()), upper = upper.cwiseMax(local.back());
-  }
-  for (int d = 0; d < 3; ++d) {
-    lower_[d] = static_cast<float>(lower[d]);
-    cells_[d] = static_cast<int>(half_reaches * (upper[d] - lower[d])) + 1;
-  }
-  const auto cell = [&](const Vec3& x) {
-    std::size_t n = 0;
-    for (int d = 2; d >= 0; --d) n = n * cells_[d] + static_cast<int>(half_reaches * (x[d] - lower[d]));
-    return n;
-  };
-  std::vector<std::size_t> order(shells.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return cell(local[a]) < cell(local[b]); });
-  first_.assign(std::size_t(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
-  for (const auto& x : local) ++first_[cell(x) + 1];
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  for (const std::size_t a : order) shells_.push_back(shells[a]);
-  index_.resize(shells_.size());
-  std::iota(index_.begin(), index_.end(), 0);
+void LayerRows::sort(const std::vector<Shell<3>>& shells) {
+  std::vector<Vec3> positions;
+  for (const auto& shell : shells) positions.push_back(shell.x);
+  for (const std::int32_t a : bisection_order<3>(positions)) shells_.push_back(shells[a]);
 }
 
-void LayerRows::set_records(double spacing) {
+/// Eights of points or boxes, each with a box in the level above, up to one eight.
+void LayerRows::set_records() {
+  constexpr float nowhere = -2e6f, largest = 1e30f;
   const auto& model = from_.model;
-  const double k = 10.0 * model.kernel.normalisation() / model.kernel.h;
-  for (const auto& a : shells_) {
-    const Vec3 x = (a.x - model.origin) / model.reach();
-    ShellRecord record{.kV = static_cast<float>(k * a.area * spacing),
-                       .curvature = static_cast<float>(a.curvature[0] * spacing)};
-    for (int d = 0; d < 3; ++d) record.x[d] = float(x[d]), record.n[d] = float(a.n[d]);
-    records_.push_back(record);
-    places_.push_back({record.x[0], record.x[1], record.x[2], record.kV});
+  const double k = 10.0 * model.kernel.normalisation() / model.kernel.h * constants_.spacing;
+  Points<3> empty;
+  std::fill_n(&empty.x[0][0], 24, nowhere);
+  points_.assign((shells_.size() + 7) / 8, empty);
+  Boxes<3> none;
+  std::fill_n(&none.low[0][0], 24, largest), std::fill_n(&none.high[0][0], 24, -largest);
+  for (std::size_t n = points_.size(); levels_.empty() || n > 1;) levels_.emplace_back(n = (n + 7) / 8, none);
+  for (std::size_t a = 0; a < shells_.size(); ++a) {
+    const Shell<3>& shell = shells_[a];
+    const Vec3 x = (shell.x - model.origin) / model.reach();
+    auto& record = records_.emplace_back();
+    record.kV = static_cast<float>(k * shell.area);
+    record.curvature = static_cast<float>(shell.curvature[0] * constants_.spacing);
+    for (int d = 0; d < 3; ++d) {
+      record.x[d] = points_[a / 8].x[d][a % 8] = float(x[d]), record.n[d] = float(shell.n[d]);
+      std::size_t n = a / 8;
+      for (auto& level : levels_) {
+        float &low = level[n / 8].low[d][n % 8], &high = level[n / 8].high[d][n % 8];
+        low = std::min(low, record.x[d]), high = std::max(high, record.x[d]);
+        n /= 8;
+      }
+    }
   }
 }
 
 void LayerRows::find() {
-  const auto within_reach = fluid_kernels<3>().within_reach;
-  std::vector<Stretch> stretches;
-  rows_.resize(clusters_.size() * 64);
+  const auto& kernels = fluid_kernels<3>();
+  std::vector<std::int32_t> near, next;
   begin_.assign(1, 0);
   for (const std::size_t c : clusters_) {
-    const Cluster<3>& own = from_.fluid.clusters[c];
-    int low[3], high[3];
-    for (int d = 0; d < 3; ++d) {
-      float least = 1e6f, most = -1e6f;
-      for (int lane = 0; lane < 8; ++lane)
-        if (own.x[d][lane] < 1e5f)
-          least = std::min(least, own.x[d][lane]), most = std::max(most, own.x[d][lane]);
-      low[d] = std::max(0, static_cast<int>(std::floor(half_reaches * (least - 1 - lower_[d]))));
-      high[d] = std::min(cells_[d] - 1, static_cast<int>(std::floor(half_reaches * (most + 1 - lower_[d]))));
+    near.assign(1, 0);
+    for (std::size_t level = levels_.size(); level-- > 0; near.swap(next)) {
+      next.resize(8 * near.size());
+      next.resize(kernels.boxes_within_reach(from_.work.rows.box(c), levels_[level].data(), near.data(),
+                                             static_cast<std::int32_t>(near.size()), next.data()));
     }
-    stretches.clear();
-    std::int32_t candidates = 0;
-    for (int z = low[2]; z <= high[2]; ++z)
-      for (int y = low[1]; y <= high[1] && low[0] <= high[0]; ++y) {
-        const std::size_t row = (std::size_t(z) * cells_[1] + y) * cells_[0];
-        const Stretch s{first_[row + low[0]], first_[row + high[0] + 1]};
-        if (s.begin < s.end) stretches.push_back(s), candidates += s.end - s.begin;
-      }
-    if (rows_.size() < std::size_t(begin_.back() + candidates)) rows_.resize(2 * rows_.size() + candidates);
-    begin_.push_back(begin_.back() + within_reach(own, places_.data(), index_.data(), stretches.data(),
-                                                  static_cast<std::int32_t>(stretches.size()),
-                                                  &rows_[begin_.back()]));
+    const std::size_t most = begin_.back() + 8 * near.size();
+    if (rows_.size() < most) rows_.resize(2 * most);
+    begin_.push_back(begin_.back() + kernels.within_reach(from_.fluid.clusters[c], points_.data(),
+                                                          near.data(), static_cast<std::int32_t>(near.size()),
+                                                          &rows_[begin_.back()]));
   }
   weights_.resize(begin_.back());
 }

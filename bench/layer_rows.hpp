@@ -20,20 +20,18 @@ class LayerRows {
   double error() const;
 
  private:
-  void bin(std::vector<Shell<3>> shells);
-  void set_records(double spacing);
+  void sort(const std::vector<Shell<3>>& shells);
+  void set_records();
 
   const Prepared& from_;
   std::vector<std::size_t> clusters_;
   std::vector<Eight> distance_;
   LayerConstants constants_;
-  // the shell in the order of a grid with cells of half the reach
+  // the shell in an order of memory like the fluid's, eight by eight, with the tree of boxes above it
   std::vector<Shell<3>> shells_;
   std::vector<ShellRecord> records_;
-  std::vector<sph3d::PlaceRecord> places_;
-  std::vector<std::int32_t> index_, first_;
-  float lower_[3];
-  int cells_[3];
+  std::vector<sph3d::Points<3>> points_;
+  std::vector<std::vector<sph3d::Boxes<3>>> levels_;
   // per cluster
   std::vector<std::int32_t> rows_, begin_;
   std::vector<Eight> weights_;

@@ -1,0 +1,2 @@
+#define OSTIUM_ISA avx512
+#include "bench/layer_kernels.inc"

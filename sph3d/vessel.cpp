@@ -79,9 +79,10 @@ StepReport Vessel<D>::advance(double dt_limit, std::span<const Drive> drives, do
   const int n = std::max(1, static_cast<int>(std::ceil(dt / acoustic_time_step() - 1e-6)));
   prepare(dt, dt / n, seconds);
   for (int k = 1; k <= n; ++k) acoustic_step(dt / n, k == n, drives, filter_time, seconds);
+  StepReport done;
   {
     const Stopwatch watch(seconds.advection);
-    move();
+    done = move();
   }
   {
     const Stopwatch watch(seconds.openings);
@@ -89,7 +90,9 @@ StepReport Vessel<D>::advance(double dt_limit, std::span<const Drive> drives, do
   }
   ++state_.steps;
   state_.acoustic_steps += n;
-  StepReport done = report(dt, n);
+  done.dt = dt;
+  done.acoustic_steps = n;
+  done.particles = state_.fluid.count();
   done.bound = bound;
   done.seconds = seconds;
   return done;
@@ -169,52 +172,53 @@ void Vessel<D>::acoustic_step(double dt, bool last, std::span<const Drive> drive
   state_.time += dt;
 }
 
-/// Positions take the displacement of the acoustic steps and the transport shift; who has slipped into the
-/// wall is put back.
+namespace {
+
+/// Positions take the displacement of the acoustic steps and the transport shift; who has slipped into the wall is put
+/// back. Returns how many were.
 template <int D>
-void Vessel<D>::move() {
-  auto& fluid = state_.fluid;
-  const double zeta_h2 = model_->options.shift * model_->kernel.h * model_->kernel.h;
-  std::vector<int> mirrored(fluid.clusters.size(), 0);
-  for_clusters(fluid.clusters.size(), [&](std::size_t c) {
-    for (std::size_t lane = 0; lane < 8; ++lane) {
-      const std::size_t i = 8 * c + lane;
-      if (!fluid.filled[i]) continue;
-      const auto& around = work_.around[c];
-      const Vec<D> way = lane_vector<D>(fluid.clusters[c].moved, lane) -
-                         zeta_h2 * lane_vector<D>(work_.sums[c].imbalance, lane);
-      fluid.position[i] += way;
-      const double expected = around.filling[lane] + way.dot(lane_vector<D>(fluid.clusters[c].wall, lane));
-      if (expected < 0.4) continue;
-      const WallSample<D> wall = model_->wall(fluid.position[i]);
-      if (wall.filling < 0.52) continue;
-      const double inside = 0.25 * model_->options.dp - model_->half_space.distance(wall.filling);
-      if (wall.flux.norm() > 0.0) fluid.position[i] -= inside * wall.flux.normalized();
-      ++mirrored[c];
-    }
-  });
-  for (const int m : mirrored) state_.mirrored += m;
+int move_cluster(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>& work, std::size_t c) {
+  const double zeta_h2 = model.options.shift * model.kernel.h * model.kernel.h;
+  int mirrored = 0;
+  for (std::size_t lane = 0; lane < 8; ++lane) {
+    if (!fluid.filled[8 * c + lane]) continue;
+    Vec<D>& position = fluid.position[8 * c + lane];
+    const Vec<D> way = lane_vector<D>(fluid.clusters[c].moved, lane) -
+                       zeta_h2 * lane_vector<D>(work.sums[c].imbalance, lane);
+    position += way;
+    const double expected =
+        work.around[c].filling[lane] + way.dot(lane_vector<D>(fluid.clusters[c].wall, lane));
+    if (expected < 0.4) continue;
+    const WallSample<D> wall = model.wall(position);
+    if (wall.filling < 0.52) continue;
+    const double inside = 0.25 * model.options.dp - model.half_space.distance(wall.filling);
+    if (wall.flux.norm() > 0.0) position -= inside * wall.flux.normalized();
+    ++mirrored;
+  }
+  return mirrored;
 }
 
+}  // namespace
+
+/// Moves the particles; largest values are those outside the ducts.
 template <int D>
-StepReport Vessel<D>::report(double dt, int acoustic_steps) {
-  StepReport report{.dt = dt, .acoustic_steps = acoustic_steps};
-  const auto& fluid = state_.fluid;
+StepReport Vessel<D>::move() {
+  auto& fluid = state_.fluid;
   OSTIUM_ASSERT(work_.duct_of.size() == fluid.places(), "{} of {} places", work_.duct_of.size(),
                 fluid.places());
   const double mass = model_->options.density * fluid.volume;
   double speed2 = 0, acceleration2 = 0, worst = 0;
   std::vector<double> energy(fluid.clusters.size());
-  std::size_t particles = 0;
+  std::int64_t mirrored = 0;
   bool finite = true;
 #pragma omp parallel for schedule(static) reduction(max : speed2, acceleration2, worst) \
-    reduction(+ : particles) reduction(&& : finite)
-  for (std::size_t c = 0; c < fluid.clusters.size(); ++c)
+    reduction(+ : mirrored) reduction(&& : finite)
+  for (std::size_t c = 0; c < fluid.clusters.size(); ++c) {
+    mirrored += move_cluster(*model_, fluid, work_, c);
+    const Cluster<D>& own = fluid.clusters[c];
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const std::size_t i = 8 * c + lane;
       if (!fluid.filled[i]) continue;
-      ++particles;
-      const Cluster<D>& own = fluid.clusters[c];
       const double square = lane_vector<D>(own.v, lane).squaredNorm();
       energy[c] += 0.5 * mass * square;
       finite = finite && std::isfinite(square) && std::isfinite(own.psi[lane]);
@@ -223,9 +227,7 @@ StepReport Vessel<D>::report(double dt, int acoustic_steps) {
       acceleration2 = std::max(acceleration2, double(own.acceleration[lane]));
       worst = std::max(worst, std::abs(double(own.psi[lane])));
     }
-  report.particles = particles;
-  report.max_density_error = worst;
-  report.kinetic_energy = std::accumulate(energy.begin(), energy.end(), 0.0);
+  }
   if (!finite)
     numerics_error("the flow has blown up: a particle has no finite velocity at t = {:.6g} s", state_.time);
   if (worst > 0.5)
@@ -234,9 +236,12 @@ StepReport Vessel<D>::report(double dt, int acoustic_steps) {
         "velocity is {:.3g} "
         "m/s at a sound speed of {:.3g} m/s",
         100 * worst, state_.time, std::sqrt(speed2), model_->options.sound_speed);
-  state_.max_speed = report.max_speed = std::sqrt(speed2);
+  state_.mirrored += mirrored;
+  state_.max_speed = std::sqrt(speed2);
   state_.max_acceleration = std::sqrt(acceleration2);
-  return report;
+  return {.max_speed = state_.max_speed,
+          .kinetic_energy = std::accumulate(energy.begin(), energy.end(), 0.0),
+          .max_density_error = worst};
 }
 
 template <int D>

@@ -74,8 +74,7 @@ class Vessel {
   void prepare(double dt, double acoustic_dt, PhaseSeconds& seconds);
   void acoustic_step(double dt, bool last, std::span<const Drive> drives, double filter_time,
                      PhaseSeconds& seconds);
-  void move();
-  StepReport report(double dt, int acoustic_steps);
+  StepReport move();
 
   std::unique_ptr<const Model<D>> model_;
   VesselState<D> state_;

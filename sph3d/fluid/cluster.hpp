@@ -77,6 +77,9 @@ struct Rows {
   std::int32_t count;
 };
 
+/// Coordinates of an empty place, out of everybody's reach.
+inline constexpr float far_away = 1e6f;
+
 /// Positions of a cluster side by side, for searches; empty places are where nobody finds them.
 template <int D>
 struct alignas(32) Points {
@@ -127,6 +130,8 @@ struct FluidKernels {
   /// psi advances by `weight` dt (1, or 1/2 at the end of an advection step).
   void (*density)(std::int64_t begin, std::int64_t end, Cluster<D>*, const Rows*, PlaceRecord*,
                   const VelocityRecord*, const FluidConstants&, float dt, float weight);
+  /// Points and boxes of clusters; an empty one has low above high.
+  void (*bound)(std::int64_t begin, std::int64_t end, const Cluster<D>*, Points<D>*, Boxes<D>*);
   /// Of the boxes in these eights, the indices (8 eight + lane) of those within reach of a box; returns their number.
   std::int32_t (*boxes_within_reach)(const Box<D>&, const Boxes<D>*, const std::int32_t* eights,
                                      std::int32_t count, std::int32_t* out);

@@ -9,7 +9,6 @@ namespace ostium::sph3d {
 
 namespace {
 
-constexpr float nowhere = -2e6f;                         // where the search puts empty places
 constexpr float wide_cluster = 2.0f, wide_group = 3.0f;  // extents, over the reach, of what is not compact
 constexpr float largest = std::numeric_limits<float>::max();
 
@@ -59,29 +58,19 @@ bool wider(const Box<D>& box, float limit) {
 
 /// Points and box of every cluster, and the tree above them.
 template <int D>
-void RowLists<D>::bound(const std::vector<Cluster<D>>& clusters, const std::vector<PlaceRecord>& place) {
+void RowLists<D>::bound(const std::vector<Cluster<D>>& clusters) {
   const std::size_t n = clusters.size();
   points_.resize(n);
   std::size_t eights = (n + 7) / 8, height = 1;
   for (std::size_t m = eights; m > 1; m = (m + 7) / 8) ++height;
   levels_.resize(height);
   for (auto& level : levels_) level.resize(eights), eights = (eights + 7) / 8;
-  const auto bound_cluster = [&](std::size_t c) {
-    Box<D> box = nothing<D>();
-    for (int d = 0; d < D; ++d)
-      for (int lane = 0; lane < 8; ++lane) {
-        const bool filled = place[8 * c + lane].w != 0.0f;
-        const float x = clusters[c].x[d][lane];
-        points_[c].x[d][lane] = filled ? x : nowhere;
-        box.low[d] = std::min(box.low[d], filled ? x : largest);
-        box.high[d] = std::max(box.high[d], filled ? x : -largest);
-      }
-    return box;
-  };
 #pragma omp parallel for schedule(static)
-  for (std::size_t g = 0; g < levels_[0].size(); ++g)
-    for (std::size_t c = 8 * g; c < 8 * g + 8; ++c)
-      set_box(levels_[0][g], static_cast<int>(c % 8), c < n ? bound_cluster(c) : nothing<D>());
+  for (std::size_t g = 0; g < levels_[0].size(); ++g) {
+    for (std::size_t c = n; c < 8 * g + 8; ++c) set_box(levels_[0][g], static_cast<int>(c % 8), nothing<D>());
+    fluid_kernels<D>().bound(8 * g, std::min(8 * g + 8, n), clusters.data(), points_.data(),
+                             levels_[0].data());
+  }
   for (std::size_t l = 1; l < height; ++l)
     for (std::size_t k = 0; k < 8 * levels_[l].size(); ++k)
       set_box(levels_[l][k / 8], static_cast<int>(k % 8),
@@ -100,7 +89,7 @@ class RowLists<D>::Search {
     clusters_.clear();
     if (empty(box)) return clusters_;
     if (wider(box, wide_cluster)) {
-      for (int lane = 0; lane < 8; ++lane) add_around(cluster, c, lane);
+      for (int lane = 0; lane < 8; ++lane) add_around(cluster, lane);
       std::sort(clusters_.begin(), clusters_.end());
       clusters_.erase(std::unique(clusters_.begin(), clusters_.end()), clusters_.end());
       return clusters_;
@@ -139,8 +128,8 @@ class RowLists<D>::Search {
     descend(compact_ ? whole : cluster);
   }
 
-  void add_around(const Cluster<D>& cluster, std::size_t c, int lane) {
-    if (lists_.points_[c].x[0][lane] == nowhere) return;
+  void add_around(const Cluster<D>& cluster, int lane) {
+    if (cluster.x[0][lane] >= far_away) return;
     Box<D> point;
     for (int d = 0; d < D; ++d) point.low[d] = point.high[d] = cluster.x[d][lane];
     descend(point);
@@ -156,10 +145,10 @@ class RowLists<D>::Search {
 };
 
 template <int D>
-void RowLists<D>::build(const std::vector<Cluster<D>>& clusters, const std::vector<PlaceRecord>& place) {
-  bound(clusters, place);
+void RowLists<D>::build(const std::vector<Cluster<D>>& clusters) {
+  bound(clusters);
   const std::int64_t count = static_cast<std::int64_t>(clusters.size());
-  const auto none = static_cast<std::int32_t>(place.size() - 1);
+  const auto none = static_cast<std::int32_t>(8 * clusters.size());
   const auto& kernels = fluid_kernels<D>();
   rows_.resize(clusters.size());
   storage_.resize(omp_get_max_threads());

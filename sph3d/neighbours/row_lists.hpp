@@ -18,9 +18,8 @@ namespace ostium::sph3d {
 template <int D>
 class RowLists {
  public:
-  /// place has 8 * clusters.size() entries and one more, an empty one, whose index is `none`; entries with w = 0 are
-  /// empty.
-  void build(const std::vector<Cluster<D>>& clusters, const std::vector<PlaceRecord>& place);
+  /// Coordinates of empty places are far_away; the index `none` is that after the last place.
+  void build(const std::vector<Cluster<D>>& clusters);
 
   const Rows* data() const { return rows_.data(); }
   const Rows& operator[](std::size_t cluster) const { return rows_[cluster]; }
@@ -31,7 +30,7 @@ class RowLists {
 
  private:
   class Search;
-  void bound(const std::vector<Cluster<D>>& clusters, const std::vector<PlaceRecord>& place);
+  void bound(const std::vector<Cluster<D>>& clusters);
 
   std::vector<Points<D>> points_;  // of each cluster
   std::vector<std::vector<Boxes<D>>>

@@ -22,16 +22,16 @@ struct Cloud {
     const std::size_t places = (points.size() + 7) / 8 * 8;
     clusters.resize(places / 8);
     sums.resize(places / 8);
-    place.assign(places + 1, {1e6f, 1e6f, 1e6f, 0.0f});
+    place.assign(places + 1, {far_away, far_away, far_away, 0.0f});
     for (auto& cluster : clusters)
-      for (int d = 0; d < D; ++d) std::fill(cluster.x[d], cluster.x[d] + 8, 1e6f);
+      for (int d = 0; d < D; ++d) std::fill(cluster.x[d], cluster.x[d] + 8, far_away);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const Vec<D> x = (points[order[k]] - points[0]) / reach;
       float* p = &place[k].x;
       for (int d = 0; d < D; ++d) p[d] = clusters[k / 8].x[d][k % 8] = static_cast<float>(x[d]);
       place[k].w = kV;
     }
-    rows.build(clusters, place);
+    rows.build(clusters);
   }
 };
 

@@ -8,8 +8,6 @@ namespace ostium::sph3d {
 
 namespace {
 
-constexpr float far_away = 1e6f;  // local coordinates of an empty place, out of everybody's reach
-
 template <int D>
 float kernel_volume(const Model<D>& model) {
   return static_cast<float>(10.0 * model.kernel.normalisation() / model.kernel.h * model.particle_volume);
@@ -61,24 +59,25 @@ void freeze(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
   work.place.resize(n + 1);
   work.velocity.resize(n + 1);
   work.matrix.resize(n + 1);
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < n; ++i) {
-    Cluster<D>& c = state.clusters[i / 8];
-    const bool filled = state.filled[i];
-    const Vec<D> x = (state.position[i] - model.origin) * scale;
-    float* place = &work.place[i].x;
-    float* velocity = &work.velocity[i].x;
-    for (int d = 0; d < D; ++d) {
-      place[d] = c.x[d][i % 8] = filled ? static_cast<float>(x[d]) : far_away;
-      velocity[d] = c.v[d][i % 8];
-      c.moved[d][i % 8] = 0;
+  for_clusters(state.clusters.size(), [&](std::size_t c) {
+    Cluster<D>& own = state.clusters[c];
+    for (int d = 0; d < D; ++d)
+      for (std::size_t lane = 0; lane < 8; ++lane) {
+        const auto x = static_cast<float>((state.position[8 * c + lane][d] - model.origin[d]) * scale);
+        own.x[d][lane] = state.filled[8 * c + lane] ? x : far_away;
+        own.moved[d][lane] = 0;
+      }
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+      PlaceRecord& place = work.place[8 * c + lane];
+      VelocityRecord& velocity = work.velocity[8 * c + lane];
+      for (int d = 0; d < D; ++d) (&place.x)[d] = own.x[d][lane], (&velocity.x)[d] = own.v[d][lane];
+      place.w = velocity.kV = state.filled[8 * c + lane] ? kV : 0.0f;
     }
-    work.place[i].w = work.velocity[i].kV = filled ? kV : 0.0f;
-  }
+  });
   work.place[n] = {far_away, far_away, far_away, 0};
   work.velocity[n] = {};
   work.matrix[n] = {};
-  work.rows.build(state.clusters, work.place);
+  work.rows.build(state.clusters);
   find_clusters_near_ducts(model, state.clusters.size(), work);
 }
 

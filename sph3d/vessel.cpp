@@ -178,17 +178,21 @@ namespace {
 /// back. Returns how many were.
 template <int D>
 int move_cluster(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>& work, std::size_t c) {
-  const double zeta_h2 = model.options.shift * model.kernel.h * model.kernel.h;
+  const auto zeta_h2 = static_cast<float>(model.options.shift * model.kernel.h * model.kernel.h);
+  const Cluster<D>& own = fluid.clusters[c];
+  float way[D][8], expected[8];
+  std::copy_n(work.around[c].filling, 8, expected);
+  for (int d = 0; d < D; ++d)
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+      way[d][lane] = own.moved[d][lane] - zeta_h2 * work.sums[c].imbalance[d][lane];
+      expected[lane] += way[d][lane] * own.wall[d][lane];
+    }
   int mirrored = 0;
   for (std::size_t lane = 0; lane < 8; ++lane) {
     if (!fluid.filled[8 * c + lane]) continue;
     Vec<D>& position = fluid.position[8 * c + lane];
-    const Vec<D> way = lane_vector<D>(fluid.clusters[c].moved, lane) -
-                       zeta_h2 * lane_vector<D>(work.sums[c].imbalance, lane);
-    position += way;
-    const double expected =
-        work.around[c].filling[lane] + way.dot(lane_vector<D>(fluid.clusters[c].wall, lane));
-    if (expected < 0.4) continue;
+    for (int d = 0; d < D; ++d) position[d] += way[d][lane];
+    if (expected[lane] < 0.4f) continue;
     const WallSample<D> wall = model.wall(position);
     if (wall.filling < 0.52) continue;
     const double inside = 0.25 * model.options.dp - model.half_space.distance(wall.filling);
@@ -196,6 +200,31 @@ int move_cluster(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>
     ++mirrored;
   }
   return mirrored;
+}
+
+/// Largest values outside the ducts, squared where that is cheaper, and the sum of all v^2.
+struct Motion {
+  float speed2 = 0, acceleration2 = 0, psi = 0;
+  double sum_speed2 = 0;
+  bool finite = true;
+};
+
+template <int D>
+Motion motion_of(const Cluster<D>& own, const std::uint8_t* filled, const std::int8_t* duct_of) {
+  Motion motion;
+  float speed2[8] = {};
+  for (int d = 0; d < D; ++d)
+    for (int lane = 0; lane < 8; ++lane) speed2[lane] += own.v[d][lane] * own.v[d][lane];
+  for (int lane = 0; lane < 8; ++lane) {
+    if (!filled[lane]) continue;
+    motion.sum_speed2 += speed2[lane];
+    motion.finite = motion.finite && std::isfinite(speed2[lane] + own.psi[lane]);
+    if (duct_of[lane] >= 0) continue;
+    motion.speed2 = std::max(motion.speed2, speed2[lane]);
+    motion.acceleration2 = std::max(motion.acceleration2, own.acceleration[lane]);
+    motion.psi = std::max(motion.psi, std::abs(own.psi[lane]));
+  }
+  return motion;
 }
 
 }  // namespace
@@ -207,7 +236,7 @@ StepReport Vessel<D>::move() {
   OSTIUM_ASSERT(work_.duct_of.size() == fluid.places(), "{} of {} places", work_.duct_of.size(),
                 fluid.places());
   const double mass = model_->options.density * fluid.volume;
-  double speed2 = 0, acceleration2 = 0, worst = 0;
+  float speed2 = 0, acceleration2 = 0, worst = 0;
   std::vector<double> energy(fluid.clusters.size());
   std::int64_t mirrored = 0;
   bool finite = true;
@@ -215,18 +244,12 @@ StepReport Vessel<D>::move() {
     reduction(+ : mirrored) reduction(&& : finite)
   for (std::size_t c = 0; c < fluid.clusters.size(); ++c) {
     mirrored += move_cluster(*model_, fluid, work_, c);
-    const Cluster<D>& own = fluid.clusters[c];
-    for (std::size_t lane = 0; lane < 8; ++lane) {
-      const std::size_t i = 8 * c + lane;
-      if (!fluid.filled[i]) continue;
-      const double square = lane_vector<D>(own.v, lane).squaredNorm();
-      energy[c] += 0.5 * mass * square;
-      finite = finite && std::isfinite(square) && std::isfinite(own.psi[lane]);
-      if (work_.duct_of[i] >= 0) continue;
-      speed2 = std::max(speed2, square);
-      acceleration2 = std::max(acceleration2, double(own.acceleration[lane]));
-      worst = std::max(worst, std::abs(double(own.psi[lane])));
-    }
+    const Motion motion = motion_of<D>(fluid.clusters[c], &fluid.filled[8 * c], &work_.duct_of[8 * c]);
+    energy[c] = 0.5 * mass * motion.sum_speed2;
+    finite = finite && motion.finite;
+    speed2 = std::max(speed2, motion.speed2);
+    acceleration2 = std::max(acceleration2, motion.acceleration2);
+    worst = std::max(worst, motion.psi);
   }
   if (!finite)
     numerics_error("the flow has blown up: a particle has no finite velocity at t = {:.6g} s", state_.time);
@@ -235,10 +258,10 @@ StepReport Vessel<D>::move() {
         "the flow has blown up: density is {:.0f} % away from that of blood at t = {:.6g} s, the largest "
         "velocity is {:.3g} "
         "m/s at a sound speed of {:.3g} m/s",
-        100 * worst, state_.time, std::sqrt(speed2), model_->options.sound_speed);
+        100 * worst, state_.time, std::sqrt(double(speed2)), model_->options.sound_speed);
   state_.mirrored += mirrored;
-  state_.max_speed = std::sqrt(speed2);
-  state_.max_acceleration = std::sqrt(acceleration2);
+  state_.max_speed = std::sqrt(double(speed2));
+  state_.max_acceleration = std::sqrt(double(acceleration2));
   return {.max_speed = state_.max_speed,
           .kinetic_energy = std::accumulate(energy.begin(), energy.end(), 0.0),
           .max_density_error = worst};

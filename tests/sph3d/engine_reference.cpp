@@ -1,7 +1,9 @@
 // The fluid kernels against the plain double-precision reference, on a moving disordered fluid with walls and openings.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <cstdlib>
+#include <tuple>
 
 #include "bench/plain_reference.hpp"
 #include "vessels.hpp"
@@ -23,8 +25,8 @@ struct Prepared {
   FluidState<D> fluid;
   Workspace<D> work;
 
-  Prepared()
-      : vessel(vessel_lumen<D>(),
+  explicit Prepared(const Lumen<D>& lumen = vessel_lumen<D>())
+      : vessel(lumen,
                {.dp = 1e-3, .density = 1000, .viscosity = 1e-4, .sound_speed = 10, .reference_speed = 1},
                {{}, {}}, 500.0),
         fluid(vessel.state().fluid) {
@@ -57,10 +59,8 @@ struct Error {
 
 /// B and the friction rate of one particle in double, from its moments.
 template <int D>
-std::pair<Mat<D>, double> plain_correction(const Model<D>& model, const Cluster<D>& own,
-                                           const ClusterSums<D>& sums, const ClusterSurroundings<D>& around,
-                                           std::size_t lane) {
-  Mat<D> M = lane_matrix<D>(sums.moment, lane);
+std::pair<Mat<D>, double> plain_correction(const Model<D>& model, const Cluster<D>& own, Mat<D> M,
+                                           const ClusterSurroundings<D>& around, std::size_t lane) {
   const Vec<D> flux = lane_vector<D>(own.wall, lane);
   const HalfSpace<D>& space = model.half_space;
   if (flux.norm() == 0) {
@@ -98,8 +98,8 @@ void compare(const char* isa) {
   correct(model, p.fluid, p.work, 1e9);  // no source: the reference has none
   Error matrix, friction;
   all([&](std::size_t, std::size_t c, std::size_t lane, const auto&) {
-    const auto [B, rate] =
-        plain_correction(model, p.fluid.clusters[c], p.work.sums[c], p.work.around[c], lane);
+    const auto [B, rate] = plain_correction<D>(
+        model, p.fluid.clusters[c], lane_matrix<D>(p.work.sums[c].moment, lane), p.work.around[c], lane);
     matrix.add((lane_matrix<D>(p.fluid.clusters[c].B, lane) - B).norm(), B.norm());
     friction.add(p.fluid.clusters[c].friction[lane] - rate, rate);
   });
@@ -147,6 +147,116 @@ void compare(const char* isa) {
   EXPECT_LT(psi.relative(), 3 * bar);
   EXPECT_LT(diss.relative(), 3 * bar);
   unsetenv("OSTIUM_ISA");
+}
+
+/// Largest difference over the largest value.
+struct Largest {
+  double difference = 0, value = 0;
+  template <class V>
+  void add(const V& difference_of, const V& value_of) {
+    difference = std::max(difference, size(difference_of)), value = std::max(value, size(value_of));
+  }
+  double relative() const { return difference / value; }
+
+ private:
+  static double size(double x) { return std::abs(x); }
+  static double size(const Vec2& x) { return x.norm(); }
+  static double size(const Vec3& x) { return x.norm(); }
+};
+
+/// A whole advection step, from frozen positions to new ones, by the engine's own functions and in double precision: sums,
+/// corrections, corrected sums, acoustic steps, displacement with its shift. The wall is felt through the same table.
+template <int D>
+void compare_whole_step(const Lumen<D>& lumen, std::size_t least_particles) {
+  constexpr int acoustic_steps = 5;
+  const float dt = 4e-5f;
+  Prepared<D> p(lumen);
+  const auto& model = p.vessel.model();
+  ASSERT_GE(p.fluid.count(), least_particles);
+  plain::Fluid<D> reference(model, p.fluid);
+  reference.sums();
+  const std::vector<ClusterSums<D>> first_sums = p.work.sums;
+  correct(model, p.fluid, p.work, 1e9);  // no density source: the reference has none
+  prepare_forces(model, p.fluid, p.work);
+
+  const std::size_t places = p.fluid.places();
+  std::vector<Vec<D>> moved(places, Vec<D>::Zero());
+  std::vector<double> psi(places);
+  for (std::size_t i = 0; i < places; ++i) {
+    auto& r = reference.particles[i];
+    const std::size_t c = i / 8, lane = i % 8;
+    if (!p.fluid.filled[i]) continue;
+    // what an outer face adds to the moments is the same for both
+    const Mat<D> open =
+        lane_matrix<D>(p.work.sums[c].moment, lane) - lane_matrix<D>(first_sums[c].moment, lane);
+    std::tie(r.B, r.friction) =
+        plain_correction<D>(model, p.fluid.clusters[c], r.moment + open, p.work.around[c], lane);
+    psi[i] = r.psi;
+  }
+  reference.corrected_sums();
+  for (auto& r : reference.particles) r.prior = r.viscous;
+
+  const auto& kernels = fluid_kernels<D>();
+  const FluidConstants constants = constants_of(model);
+  const auto n = static_cast<std::int64_t>(p.fluid.clusters.size());
+  for (std::size_t i = 0; i < places; ++i)
+    p.work.place[i].w = p.work.velocity[i].kV * p.fluid.psi(i) * constants.c2;
+  Largest acceleration, rate, wall_force;
+  std::vector<Vec<D>> before(places);
+  for (int k = 1; k <= acoustic_steps; ++k) {
+    for (std::size_t i = 0; i < places; ++i) before[i] = reference.particles[i].v;
+    std::vector<Vec<D>> engine_before(places);
+    for (std::size_t i = 0; i < places; ++i) engine_before[i] = p.fluid.velocity(i);
+    const float weight = k == acoustic_steps ? 0.5f : 1.0f;
+    kernels.kick(0, n, p.fluid.clusters.data(), p.work.rows.data(), p.work.place.data(),
+                 p.work.velocity.data(), constants, dt);
+    reference.kick(dt);
+    kernels.density(0, n, p.fluid.clusters.data(), p.work.rows.data(), p.work.place.data(),
+                    p.work.velocity.data(), constants, dt, weight);
+    reference.density(dt, weight);
+    for (std::size_t i = 0; i < places; ++i) {
+      if (!p.fluid.filled[i]) continue;
+      const auto& r = reference.particles[i];
+      const auto& own = p.fluid.clusters[i / 8];
+      const std::size_t lane = i % 8;
+      moved[i] += 0.5 * dt * (before[i] + r.v);
+      const Vec<D> a = (r.v - before[i]) / dt, b = (p.fluid.velocity(i) - engine_before[i]) / dt;
+      acceleration.add(Vec<D>(a - b), a);
+      rate.add(r.rate - own.rate[lane], r.rate);
+      const double c2 = constants.c2;
+      const Vec<D> force = 2 * c2 * r.psi * r.B * r.wall + r.friction * r.v;
+      const Vec<D> engine_force = 2 * c2 * own.psi[lane] * lane_matrix<D>(own.B, lane) * r.wall +
+                                  own.friction[lane] * p.fluid.velocity(i);
+      wall_force.add(Vec<D>(force - engine_force), force);
+    }
+  }
+  Largest velocity, density, way;
+  const double zeta_h2 = model.options.shift * model.kernel.h * model.kernel.h;
+  for (std::size_t i = 0; i < places; ++i) {
+    if (!p.fluid.filled[i]) continue;
+    const auto& r = reference.particles[i];
+    velocity.add(Vec<D>(p.fluid.velocity(i) - r.v), r.v);
+    density.add(p.fluid.psi(i) - r.psi, r.psi - psi[i]);
+    if (p.work.duct_of[i] >= 0) continue;  // the shift is another one there
+    const Vec<D> there = moved[i] - zeta_h2 * (r.B * r.gradient + r.G);
+    const Vec<D> engine = lane_vector<D>(p.fluid.clusters[i / 8].moved, i % 8) -
+                          zeta_h2 * lane_vector<D>(p.work.sums[i / 8].imbalance, i % 8);
+    way.add(Vec<D>(there - engine), there);
+  }
+  const std::vector<std::pair<const char*, const Largest*>> all{
+      {"acceleration", &acceleration}, {"density rate", &rate}, {"wall force", &wall_force},
+      {"velocity", &velocity},         {"density", &density},   {"displacement", &way}};
+  for (const auto& [name, error] : all) {
+    std::printf("%-14s largest error over largest value %.1e\n", name, error->relative());
+    EXPECT_LT(error->relative(), 1e-4) << name;
+  }
+}
+
+TEST(WholeAdvectionStep, AgreesWithThePlainReference2d) { compare_whole_step<2>(channel(0.03, 0.01), 300); }
+TEST(WholeAdvectionStep, AgreesWithThePlainReference3d) { compare_whole_step<3>(tube(0.005, 0.012), 800); }
+/// Local coordinates are long here: 300 particles from end to end.
+TEST(FullWholeAdvectionStep, AgreesWithThePlainReferenceAt300000Particles) {
+  compare_whole_step<3>(tube(0.018, 0.3), 300000);
 }
 
 TEST(FluidKernels, AgreeWithThePlainReference2d) { compare<2>(""); }

@@ -41,7 +41,7 @@ Model<D>::Model(const Lumen<D>& lumen_, const FluidOptions<D>& o, std::vector<Op
       lumen(lumen_),
       domain(extended(lumen_, Duct<D>::layers * o.dp)),
       kernel{1.3 * o.dp},
-      half_space(kernel, o.dp),
+      half_space(kernel, o.dp, o.friction_limit),
       wall(wall_of(lumen_, kernel, o.dp)),
       roles(std::move(roles_)),
       ducts(ducts_of(lumen_, o.dp)),

@@ -30,6 +30,7 @@ template <int D>
 struct FluidOptions {
   double dp = 0, density = 1060, viscosity = 0, sound_speed = 0, reference_speed = 0;
   double advection_cfl = 0.25, acoustic_cfl = 0.6, shift = 0.2, limiter = 3.0, density_relaxation = 1.0;
+  double friction_limit = 2.0;  // of the velocity continued through the wall, see HalfSpace
   int reorder_every = 16;       // advection steps
   int most_acoustic_steps = 8;  // in one advection step, during which neighbours are frozen
   Vec<D> gravity = Vec<D>::Zero();

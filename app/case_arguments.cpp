@@ -1,7 +1,7 @@
 #include "app/case_arguments.hpp"
 
+#include <omp.h>
 #include <CLI/CLI.hpp>
-#include <thread>
 
 namespace ostium::app {
 
@@ -10,7 +10,8 @@ void CaseArguments::add_to(CLI::App& command) {
   command.add_option("--surface", surface, "read the vessel's surface from this file instead");
   command.add_option("--set", set, "change a value of the case: KEY=VALUE, such as time.cycles=1")
       ->allow_extra_args(false);
-  command.add_option("--threads", threads, "number of threads; default: all")->check(CLI::NonNegativeNumber);
+  command.add_option("--threads", threads, "number of threads; default: OMP_NUM_THREADS, or all")
+      ->check(CLI::NonNegativeNumber);
 }
 
 Case CaseArguments::read() const {
@@ -35,8 +36,6 @@ std::string CaseArguments::text() const {
   return text;
 }
 
-int CaseArguments::thread_count() const {
-  return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
+int CaseArguments::thread_count() const { return threads > 0 ? threads : omp_get_max_threads(); }
 
 }  // namespace ostium::app

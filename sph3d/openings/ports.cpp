@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sph3d/step/lane_access.hpp"
-
 namespace ostium::sph3d {
 
 namespace {
@@ -21,12 +19,6 @@ void set_velocity(FluidState<D>& fluid, Workspace<D>& work, std::int32_t i, cons
   }
 }
 
-template <class Members, class F>
-void for_members(const Members& members, F&& f) {
-#pragma omp parallel for schedule(static) if (members.size() > 2048)
-  for (std::size_t m = 0; m < members.size(); ++m) f(members[m]);
-}
-
 /// Inertance of the duct between the cap, where the law holds, and the outer face, where it is imposed; Pa.s2/m3.
 /// Taking it out acts as a negative resistance inertance / filter_time on fast signals: only where the law has more.
 template <int D>
@@ -41,13 +33,11 @@ void drive_by_pressure(const Model<D>& model, VesselState<D>& state, Workspace<D
   const Vec<D>& n = model.ducts[k].opening().normal;
   PortState& port = state.ports[k];
   const double V = state.fluid.volume, rho = model.options.density;
-  const auto& members = work.zones[k].members;
-  const double q_tilde = V * ordered_sum(members.size(), [&](std::size_t m) {
-                           return double(members[m].drive) * state.fluid.velocity(members[m].index).dot(n);
-                         });
-  const double beta = V / rho * ordered_sum(members.size(), [&](std::size_t m) {
-                        return double(members[m].drive) * double(members[m].drive);
-                      });
+  double q_tilde = 0, beta = 0;
+  for (const auto& member : work.zones[k].members) {
+    q_tilde += V * member.drive * state.fluid.velocity(member.index).dot(n);
+    beta += V * member.drive * member.drive / rho;
+  }
   PortLaw law = port.filter.corrected(state.datum.relative(drive.law.at(state.time + dt - drive.since)));
   const double inertia = duct_inertia(model, k, drive.law.resistance, filter_time) * port.flow_rate;
   law.p_star -= inertia;
@@ -55,11 +45,11 @@ void drive_by_pressure(const Model<D>& model, VesselState<D>& state, Workspace<D
   port.pressure = port.face_pressure + inertia + state.datum.reference;
   port.conjugate = q_tilde - beta * dt * port.face_pressure;
   port.filter.step_conjugate(port.conjugate, dt, filter_time);
-  for_members(members, [&](const auto& member) {
+  for (const auto& member : work.zones[k].members) {
     const double vn =
         state.fluid.velocity(member.index).dot(n) - dt * port.face_pressure / rho * member.drive;
     set_velocity<D>(state.fluid, work, member.index, vn * n, dt);
-  });
+  }
 }
 
 /// The counted volume lags what was asked for by round-off, arrival noise and the profile's discrete mean; a
@@ -80,9 +70,8 @@ void drive_by_flow(const Model<D>& model, VesselState<D>& state, Workspace<D>& w
   const double mean = (out + trim(port, port.flow_scale)) / opening.area;
   port.asked += dt * out;
   port.conjugate = out;
-  for_members(work.zones[k].members, [&](const auto& member) {
+  for (const auto& member : work.zones[k].members)
     set_velocity<D>(state.fluid, work, member.index, mean * member.drive * opening.normal, dt);
-  });
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include "sph3d/geometry/point_grid.hpp"
 #include "sph3d/neighbours/order.hpp"
-#include "sph3d/step/lane_access.hpp"
 
 namespace ostium::sph3d {
 
@@ -61,10 +60,9 @@ double whole_depth(const Model<D>& model, int k) {
 /// How much of the duct between the outer face and the fluid is empty, as a depth, summed over the sites.
 template <int D>
 double room(const Model<D>& model, const VesselState<D>& state, const Workspace<D>& work, int k) {
-  const auto& members = work.zones[k].members;
-  return whole_depth(model, k) * static_cast<double>(model.slices[k].sites.size()) -
-         ordered_sum(members.size(),
-                     [&](std::size_t m) { return taken_by(model, state, k, members[m].index); });
+  double sum = whole_depth(model, k) * static_cast<double>(model.slices[k].sites.size());
+  for (const auto& member : work.zones[k].members) sum -= taken_by(model, state, k, member.index);
+  return sum;
 }
 
 /// The same for each site. In parallel by shares of fixed length, whose depths are added in their order.
@@ -188,11 +186,10 @@ void count_ports(const Model<D>& model, VesselState<D>& state, Workspace<D>& wor
   for (std::size_t k = 0; k < state.ports.size(); ++k) {
     const Duct<D>& duct = model.ducts[k];
     const Zone<D>& zone = work.zones[k];
-    const double crossed = ordered_sum(zone.members.size(), [&](std::size_t m) {
-      return duct.crossed(duct.depth(state.fluid.position[zone.members[m].index]));
-    });
-    const double psi = ordered_sum(
-        zone.before_cap.size(), [&](std::size_t m) { return double(state.fluid.psi(zone.before_cap[m])); });
+    double crossed = 0, psi = 0;
+    for (const auto& member : zone.members)
+      crossed += duct.crossed(duct.depth(state.fluid.position[member.index]));
+    for (const std::int32_t i : zone.before_cap) psi += state.fluid.psi(i);
     PortState& port = state.ports[k];
     port.counted = state.fluid.volume * crossed + port.deleted - port.inserted;
     if (!zone.before_cap.empty())

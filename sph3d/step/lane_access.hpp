@@ -1,9 +1,5 @@
 /// One particle of a cluster as ordinary vectors: for everything that is not a kernel.
 #pragma once
-#include <algorithm>
-#include <numeric>
-#include <vector>
-
 #include "core/vec.hpp"
 #include "sph3d/fluid/cluster.hpp"
 
@@ -35,17 +31,6 @@ template <class F>
 void for_clusters(std::size_t n, F&& f) {
 #pragma omp parallel for schedule(static)
   for (std::size_t c = 0; c < n; ++c) f(c);
-}
-
-/// The sum of f(k), in parallel: by blocks of fixed length, so that it is the same for any number of threads.
-template <class F>
-double ordered_sum(std::size_t n, F&& f) {
-  constexpr std::size_t length = 512;
-  std::vector<double> block((n + length - 1) / length);
-#pragma omp parallel for schedule(static) if (n > 4 * length)
-  for (std::size_t b = 0; b < block.size(); ++b)
-    for (std::size_t k = length * b; k < std::min(n, length * (b + 1)); ++k) block[b] += f(k);
-  return std::accumulate(block.begin(), block.end(), 0.0);
 }
 
 /// f(begin, end) over batches of clusters, for the kernels.

@@ -105,20 +105,19 @@ std::int32_t WallField<D>::block_at(const Index& node) const {
   return block_of_[block];
 }
 
+/// Number of a node, and of the cell above it, within its block.
 template <int D>
-int WallField<D>::cell_of(const Index& node) {
-  int cell = 0;
-  for (int d = D - 1; d >= 0; --d) cell = cell * cells + (node[d] & (edge - 1)) / 2;
-  return cell;
+int WallField<D>::number_of(const Index& node) {
+  int n = 0;
+  for (int d = D - 1; d >= 0; --d) n = n * edge + (node[d] & (edge - 1));
+  return n;
 }
 
 template <int D>
 float WallField<D>::node_value(const std::vector<float>& values, const Index& node) const {
   const std::int32_t slot = block_at(node);
   if (slot < 0) return slot == all_wall ? 1.0f : 0.0f;
-  int n = 0;
-  for (int d = D - 1; d >= 0; --d) n = n * edge + (node[d] & (edge - 1));
-  return values[static_cast<std::size_t>(slot) * block_size + n];
+  return values[static_cast<std::size_t>(slot) * block_size + number_of(node)];
 }
 
 template <int D>
@@ -197,28 +196,27 @@ void WallField<D>::sharpen() {
   values_ = std::move(sharp);
 }
 
-/// A cell is felt where one of the nodes that interpolation there reads is large enough to show.
+/// A cell is felt where one of its corners has a filling that counts: between them it falls off smoothly.
 template <int D>
 void WallField<D>::find_felt() {
-  constexpr float shows =
-      4e-7f;  // the weights add up to less than two, and a filling below 1e-6 counts as none
-  felt_.assign(stored_.size(), 0);
+  constexpr std::size_t words = block_size / 64;
+  felt_.assign(stored_.size() * words, 0);
 #pragma omp parallel for schedule(dynamic, 8)
   for (std::size_t slot = 0; slot < stored_.size(); ++slot) {
     const Index first = first_node(stored_[slot]);
-    for_nodes<D>(edge + 3, [&](int, const Index& o) {  // nodes -1 .. edge + 1 serve this block
+    for_nodes<D>(edge + 1, [&](int, const Index& corner) {
       Index node;
-      for (int d = 0; d < D; ++d) node[d] = first[d] + o[d] - 1;
-      if (std::abs(node_value(values_, node)) < shows) return;
-      for_nodes<D>(
-          4, [&](int, const Index& back) {  // read by the cells of the nodes from two before to one after
-            Index reader;
-            for (int d = 0; d < D; ++d) {
-              reader[d] = o[d] - 1 + back[d] - 2;
-              if (reader[d] < 0 || reader[d] >= edge) return;
-            }
-            felt_[slot] |= std::uint64_t(1) << cell_of(reader);
-          });
+      for (int d = 0; d < D; ++d) node[d] = first[d] + corner[d];
+      if (std::abs(node_value(values_, node)) < counts) return;
+      for_nodes<D>(2, [&](int, const Index& back) {
+        Index cell;
+        for (int d = 0; d < D; ++d) {
+          cell[d] = corner[d] - back[d];
+          if (cell[d] < 0 || cell[d] >= edge) return;
+        }
+        const int n = number_of(cell);
+        felt_[slot * words + n / 64] |= std::uint64_t(1) << n % 64;
+      });
     });
   }
 }

@@ -49,9 +49,8 @@ class WallField {
   static constexpr int edge = 8;  // nodes per block and direction
   static constexpr int block_size = D == 2 ? edge * edge : edge * edge * edge;
   static constexpr int wide_row =
-      edge + 4;  // nodes -1 .. edge + 2 of a row: four in a row are never torn apart
-  static constexpr int cells =
-      edge / 2;  // per block and direction, of two nodes: where the wall is felt or not
+      edge + 4;                           // nodes -1 .. edge + 2 of a row: four in a row are never torn apart
+  static constexpr float counts = 1e-6f;  // a filling below this is none
   static constexpr std::int32_t all_fluid = -1, all_wall = -2;  // blocks without nodes of their own
   using Index = std::array<int, D>;
 
@@ -63,18 +62,18 @@ class WallField {
   void find_felt();
 
   std::int32_t block_at(const Index& node) const;
-  static int cell_of(const Index& node);
+  static int number_of(const Index& node);
   float node_value(const std::vector<float>& values, const Index& node) const;
   Index first_node(std::size_t block) const;
   Vec<D> position(const Index& node) const;
 
-  double spacing_;
+  double spacing_, nodes_per_length_ = 1.0 / spacing_;
   Vec<D> origin_;
   Index blocks_{};                      // blocks per direction
   std::vector<std::int32_t> block_of_;  // storage slot of a block, or all_fluid / all_wall
   std::vector<std::size_t> stored_;     // block number of a slot
   std::vector<float> values_;           // while building block by block, then in wide rows
-  std::vector<std::uint64_t> felt_;     // of a slot: the cells with a filling, a bit each
+  std::vector<std::uint64_t> felt_;     // of a slot: the cells with a filling, a bit each, eight words in 3D
 };
 
 extern template class WallField<2>;

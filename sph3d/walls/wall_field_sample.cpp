@@ -40,7 +40,7 @@ WallSample<D> WallField<D>::operator()(const Vec<D>& x) const {
   Index node;
   float t[D];
   for (int d = 0; d < D; ++d) {
-    const double u = std::max((x[d] - origin_[d]) / spacing_, -1.0);
+    const double u = std::max((x[d] - origin_[d]) * nodes_per_length_, -1.0);
     node[d] = static_cast<int>(u + 1.0) - 1;
     t[d] = static_cast<float>(u - node[d]);
   }
@@ -50,7 +50,8 @@ WallSample<D> WallField<D>::operator()(const Vec<D>& x) const {
     sample.filling = own == all_wall ? 1.0 : 0.0;
     return sample;
   }
-  if (!(felt_[own] >> cell_of(node) & 1)) return sample;
+  if (const int cell = number_of(node); !(felt_[own * (block_size / 64) + cell / 64] >> cell % 64 & 1))
+    return sample;
   // the rows of the neighbourhood lie in up to two blocks per direction; a block all of fluid or wall is one row
   constexpr int layers = D == 3 ? 2 : 1;
   const int y = node[1] - 1, z = D == 3 ? node[D - 1] - 1 : 0, column = node[0] & (edge - 1);
@@ -90,7 +91,7 @@ WallSample<D> WallField<D>::operator()(const Vec<D>& x) const {
       slope_y += cz.w[k] * plane_y;
       slope_z += cz.d[k] * plane;
     }
-    sample.flux[2] = dot(slope_z, cx.w) / spacing_;
+    sample.flux[2] = dot(slope_z, cx.w) * nodes_per_length_;
   } else {
     for (int j = 0; j < 4; ++j) {
       const Four r = row(j, 0);
@@ -99,9 +100,9 @@ WallSample<D> WallField<D>::operator()(const Vec<D>& x) const {
     }
   }
   sample.filling = dot(value, cx.w);
-  sample.flux[0] = dot(value, cx.d) / spacing_;
-  sample.flux[1] = dot(slope_y, cx.w) / spacing_;
-  if (sample.filling < 1e-6) return {};
+  sample.flux[0] = dot(value, cx.d) * nodes_per_length_;
+  sample.flux[1] = dot(slope_y, cx.w) * nodes_per_length_;
+  if (sample.filling < counts) return {};
   return sample;
 }
 

@@ -9,16 +9,6 @@ using namespace sph3d;
 
 namespace {
 
-/// What an advection step does before its acoustic steps.
-void prepare(const Model<3>& model, FluidState<3>& fluid, Workspace<3>& work) {
-  freeze(model, fluid, work);
-  find_zones(model, fluid, work);
-  look_around(model, fluid, work);
-  kernel_sums(model, fluid, work);
-  correct(model, fluid, work, 1e-4);
-  prepare_forces(model, fluid, work);
-}
-
 struct Sample {
   double per_particle_step, preparation;
 };
@@ -33,7 +23,7 @@ Sample sample(Vessel<3>& vessel, const std::vector<Drive>& drives, int steps) {
   });
   FluidState<3> fluid = vessel.state().fluid;
   static Workspace<3> work;  // its memory is kept, as the vessel's own
-  const double once = seconds_of([&] { prepare(vessel.model(), fluid, work); });
+  const double once = seconds_of([&] { prepare_step(vessel.model(), fluid, work, 1e-4); });
   return {total / particle_steps, once * steps / total};
 }
 

@@ -14,12 +14,7 @@ Prepared::Prepared(const Vessel<3>& vessel) : model(vessel.model()), fluid(vesse
     fluid.velocity(i, Vec3(std::sin(900 * x[0]), std::sin(700 * x[1]), std::cos(800 * x[2])));
     fluid.psi(i) += static_cast<float>(2e-3 * std::cos(1200 * x.sum()));
   }
-  freeze(model, fluid, work);
-  find_zones(model, fluid, work);
-  look_around(model, fluid, work);
-  kernel_sums(model, fluid, work);
-  correct(model, fluid, work, 1e-4);
-  prepare_forces(model, fluid, work);
+  prepare_step(model, fluid, work, 1e-4);
 }
 
 void Prepared::sums(const FluidKernels<3>& kernels, std::int64_t begin, std::int64_t end) {

@@ -103,12 +103,7 @@ template <int D>
 void Vessel<D>::prepare(double dt, double acoustic_dt, PhaseSeconds& seconds) {
   const Stopwatch watch(seconds.advection);
   if (state_.steps % model_->options.reorder_every == 0) state_.fluid.reorder();
-  freeze(*model_, state_.fluid, work_);
-  find_zones(*model_, state_.fluid, work_);
-  look_around(*model_, state_.fluid, work_);
-  kernel_sums(*model_, state_.fluid, work_);
-  correct(*model_, state_.fluid, work_, dt);
-  prepare_forces(*model_, state_.fluid, work_);
+  prepare_step(*model_, state_.fluid, work_, dt);
   first_pressures(acoustic_dt);
 }
 

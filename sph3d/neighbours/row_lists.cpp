@@ -183,6 +183,11 @@ Box<D> RowLists<D>::box(std::size_t cluster) const {
 }
 
 template <int D>
+Box<D> RowLists<D>::group_box(std::size_t group) const {
+  return hull(levels_[0][group]);
+}
+
+template <int D>
 double RowLists<D>::mean_length() const {
   double sum = 0;
   for (const Rows& r : rows_) sum += r.count;

@@ -25,6 +25,8 @@ class RowLists {
   const Rows& operator[](std::size_t cluster) const { return rows_[cluster]; }
   /// Around the particles of a cluster when the rows were built; low above high where it is empty.
   Box<D> box(std::size_t cluster) const;
+  /// Around the eight clusters from 8 group on.
+  Box<D> group_box(std::size_t group) const;
   double mean_length() const;
   std::size_t bytes() const;
 

@@ -102,9 +102,20 @@ void prepare_forces(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& w
   prepare_zones(model, fluid, work);
 }
 
+template <int D>
+void prepare_step(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, double dt) {
+  freeze(model, fluid, work);
+  find_zones(model, fluid, work);
+  look_around(model, fluid, work);
+  kernel_sums(model, fluid, work);
+  correct(model, fluid, work, dt);
+  prepare_forces(model, fluid, work);
+}
+
 #define OSTIUM_INSTANTIATE(D)                                                    \
   template void correct(const Model<D>&, FluidState<D>&, Workspace<D>&, double); \
-  template void prepare_forces(const Model<D>&, FluidState<D>&, Workspace<D>&);
+  template void prepare_forces(const Model<D>&, FluidState<D>&, Workspace<D>&);  \
+  template void prepare_step(const Model<D>&, FluidState<D>&, Workspace<D>&, double);
 OSTIUM_INSTANTIATE(2)
 OSTIUM_INSTANTIATE(3)
 

@@ -20,4 +20,8 @@ void correct(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, do
 template <int D>
 void prepare_forces(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work);
 
+/// All of it.
+template <int D>
+void prepare_step(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, double dt);
+
 }  // namespace ostium::sph3d

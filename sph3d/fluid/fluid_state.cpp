@@ -85,7 +85,8 @@ void FluidState<D>::reorder() {
   const std::size_t total = (points.size() + 7) / 8 * 8;
   FluidState next;
   next.volume = volume;
-  const std::size_t spare = total / 256 * 8;  // for those that arrive before the next time, without moving everything
+  const std::size_t spare =
+      total / 256 * 8;  // for those that arrive before the next time, without moving everything
   next.position.reserve(total + spare);
   next.filled.reserve(total + spare);
   next.clusters.reserve((total + spare) / 8);

@@ -94,7 +94,7 @@ class RowLists<D>::Search {
       clusters_.erase(std::unique(clusters_.begin(), clusters_.end()), clusters_.end());
       return clusters_;
     }
-    if (c / 8 != group_ || compact_ == false) find_groups(c / 8, box);
+    if (c / 8 != group_ || !compact_) find_groups(c / 8, box);
     step(box, 0, groups_, clusters_);
     return clusters_;
   }

@@ -10,6 +10,7 @@
 ///   acoustic_cfl      share of h sound may travel in an acoustic step (0.6)                -
 ///   shift             zeta of the transport shift (0.2)                                    -
 ///   limiter           of the pressure dissipation (3)                                      -
+///   friction_limit    largest ratio in the velocity continued through the wall (2), see HalfSpace   -
 ///   density_relaxation  theta: share of the number density in the re-initialisation (1)    -
 ///   gravity           body acceleration                                                    m/s2
 ///

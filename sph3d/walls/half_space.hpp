@@ -27,6 +27,7 @@ namespace ostium::sph3d {
 template <int D>
 class HalfSpace {
  public:
+  /// `most` caps the ratio in lambda; dp is the particle spacing, m.
   HalfSpace(const Wendland<D>& kernel, double dp, double most = 2.0);
 
   double filling(double s) const;
@@ -39,7 +40,8 @@ class HalfSpace {
   /// The distance at which the filling is S; 2h for S <= 0, negative for S > 1/2.
   double distance(double S) const;
 
-  /// Moments and friction at that distance, straight from a table.
+  /// Moments (-) and friction (1/m2) at the distance where the filling is S, straight from a table; those of the wall itself
+  /// for S > 1/2.
   struct Share {
     float moment_n, moment_t, friction_n, friction_t;
   };

@@ -1,0 +1,33 @@
+/// Functions of lanes that the vector library would take one lane at a time.
+///
+///   inverse_cube_root(x) = x^(-1/3)    relative error below 1e-14 for 0.1 <= x <= 10
+///   exponential(x)       = e^x         relative error below 2e-12 for 0 <= x <= 50
+///
+/// The cube root: the rational start (2 + x)/(1 + 2x), exact to second order at 1, then steps of fourth order from the
+/// series of (1 - r)^(-1/3), r = 1 - x y^3. The exponential: Taylor's series of x/512, then nine squarings. Both are the same
+/// for a number and for lanes. Not checked: the range; beyond it both lose digits.
+#pragma once
+
+namespace ostium::sph3d {
+
+template <class T>
+T inverse_cube_root(const T& x) {
+  T y = (T(2.0) + x) / (T(1.0) + T(2.0) * x);
+  for (int step = 0; step < 4; ++step) {
+    const T r = T(1.0) - x * y * y * y;
+    y += y * r * (T(1.0 / 3.0) + r * (T(2.0 / 9.0) + r * T(14.0 / 81.0)));
+  }
+  return y;
+}
+
+template <class T>
+T exponential(const T& x) {
+  constexpr int squarings = 9, order = 8;
+  const T t = x * T(1.0 / (1 << squarings));
+  T m = T(0.0);  // e^t - 1, squared as such: nothing is lost beside the one
+  for (int k = order; k >= 1; --k) m = t * (T(1.0) + m) * T(1.0 / k);
+  for (int k = 0; k < squarings; ++k) m = m * (T(2.0) + m);
+  return T(1.0) + m;
+}
+
+}  // namespace ostium::sph3d

@@ -94,8 +94,9 @@ void LayerRows::find() {
     }
     const std::size_t most = begin_.back() + 8 * near.size();
     if (rows_.size() < most) rows_.resize(2 * most);
-    begin_.push_back(begin_.back() + kernels.within_reach(from_.fluid.clusters[c], points_.data(),
-                                                          near.data(), static_cast<std::int32_t>(near.size()),
+    begin_.push_back(begin_.back() + kernels.within_reach(from_.fluid.clusters[c], from_.work.rows.box(c),
+                                                          points_.data(), near.data(),
+                                                          static_cast<std::int32_t>(near.size()),
                                                           &rows_[begin_.back()]));
   }
   weights_.resize(begin_.back());

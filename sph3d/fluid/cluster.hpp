@@ -71,7 +71,8 @@ struct alignas(32) MatrixRecord {
   float b[8];  ///< B of the neighbour (3 or 6 numbers), kV in b[7]
 };
 
-/// Rows of one cluster: indices of every particle within reach of any of the eight, an even number of them.
+/// Rows of one cluster: indices of every particle within reach of any of the eight. Some entries past the
+/// end can be read too, and are places.
 struct Rows {
   const std::int32_t* begin;
   std::int32_t count;
@@ -135,10 +136,10 @@ struct FluidKernels {
   /// Of the boxes in these eights, the indices (8 eight + lane) of those within reach of a box; returns their number.
   std::int32_t (*boxes_within_reach)(const Box<D>&, const Boxes<D>*, const std::int32_t* eights,
                                      std::int32_t count, std::int32_t* out);
-  /// Of the particles in these clusters, the indices of those within reach of any of the cluster's eight; returns their
-  /// number. out has room for all of them.
-  std::int32_t (*within_reach)(const Cluster<D>&, const Points<D>*, const std::int32_t* clusters,
-                               std::int32_t count, std::int32_t* out);
+  /// Of the particles in these clusters, the indices of those within reach of any of the eight in a cluster, which has that
+  /// box; returns their number. out has room for all of them.
+  std::int32_t (*within_reach)(const Cluster<D>&, const Box<D>&, const Points<D>*,
+                               const std::int32_t* clusters, std::int32_t count, std::int32_t* out);
   const char* name;
 };
 

@@ -11,11 +11,18 @@
 #endif
 
 #define OSTIUM_INLINE __attribute__((always_inline)) inline
+#define OSTIUM_INLINE_LAMBDA __attribute__((always_inline))
 
 namespace ostium::sph3d::OSTIUM_ISA {
 
 namespace stdx = std::experimental;
 using Lanes = stdx::simd<float, stdx::simd_abi::deduce_t<float, 8>>;
+
+#ifdef __AVX512VL__
+constexpr bool many_registers = true;  // 32 of them, else 16
+#else
+constexpr bool many_registers = false;
+#endif
 
 OSTIUM_INLINE Lanes load(const float* p) { return Lanes(p, stdx::vector_aligned); }
 OSTIUM_INLINE void store(const Lanes& a, float* p) { a.copy_to(p, stdx::vector_aligned); }

@@ -10,6 +10,7 @@ namespace ostium::sph3d {
 namespace {
 
 constexpr float wide_cluster = 2.0f, wide_group = 3.0f;  // extents, over the reach, of what is not compact
+constexpr std::size_t read_ahead = 4;  // entries past its end that a sum over a row may read
 constexpr float largest = std::numeric_limits<float>::max();
 
 template <int D>
@@ -164,13 +165,14 @@ void RowLists<D>::build(const std::vector<Cluster<D>>& clusters) {
     for (std::int64_t c = begin; c < end; ++c) {
       offset.push_back(size);
       const auto& candidates = search.candidates(clusters[c], c);
-      const std::size_t most = 8 * candidates.size() + 2;
+      const std::size_t most = 8 * candidates.size() + read_ahead;
       if (list.size() < size + most) list.resize(2 * (size + most));
-      size += kernels.within_reach(clusters[c], points_.data(), candidates.data(),
+      size += kernels.within_reach(clusters[c], box(c), points_.data(), candidates.data(),
                                    static_cast<std::int32_t>(candidates.size()), list.data() + size);
-      if ((size - offset.back()) % 2) list[size++] = none;
     }
     offset.push_back(size);
+    list.resize(std::max(list.size(), size + read_ahead));
+    std::fill_n(list.data() + size, read_ahead, none);
     for (std::int64_t c = begin; c < end; ++c)
       rows_[c] = {list.data() + offset[c - begin],
                   static_cast<std::int32_t>(offset[c - begin + 1] - offset[c - begin])};

@@ -5,8 +5,8 @@
 /// down that tree once, each of its clusters then tests boxes and at last particles, eight side by side. Clusters that are
 /// not compact (particles that came through openings since the last ordering, or two branches in one cluster) go down the
 /// tree once for each of their particles. Rows are in the order of memory, so a sum over them is the same for any number of
-/// threads. Coordinates are those of the records (over the reach, so the reach is 1). Odd lists are padded with the index
-/// `none`.
+/// threads. Coordinates are those of the records (over the reach, so the reach is 1). What may be read past the end of a row is
+/// the next row, or the index `none`.
 #pragma once
 #include <cstdint>
 #include <vector>

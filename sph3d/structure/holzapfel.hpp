@@ -34,10 +34,10 @@ struct Holzapfel {
   /// Largest modulus of waves in a plate that is stretched by so much along both families, Pa.
   double plate_modulus(double stretch = 1.0) const;
 
-  double thinning() const { return rubber.thinning(); }
+  OSTIUM_INLINE double thinning() const { return rubber.thinning(); }
 
   template <class T>
-  Sym3<T> stress(const Sym3<T>& E, const Fibres<T>& fibres) const {
+  OSTIUM_INLINE Sym3<T> stress(const Sym3<T>& E, const Fibres<T>& fibres) const {
     Sym3<T> S = rubber.stress(E);
     for (const auto* a : {fibres.first, fibres.second}) {
       const T e = stretched(E, a);
@@ -47,7 +47,7 @@ struct Holzapfel {
   }
 
   template <class T>
-  T energy(const Sym3<T>& E, const Fibres<T>& fibres) const {
+  OSTIUM_INLINE T energy(const Sym3<T>& E, const Fibres<T>& fibres) const {
     T psi = rubber.energy(E);
     for (const auto* a : {fibres.first, fibres.second}) {
       const T e = stretched(E, a);
@@ -58,7 +58,7 @@ struct Holzapfel {
 
   /// As of the rubber: S_zz / (C^-1)_zz and its slope, Pa.
   template <class T>
-  ThicknessStress<T> thickness_stress(const Sym3<T>& E, const Fibres<T>& fibres) const {
+  OSTIUM_INLINE ThicknessStress<T> thickness_stress(const Sym3<T>& E, const Fibres<T>& fibres) const {
     ThicknessStress<T> s = rubber.thickness_stress(E);
     if (kappa == 0.0) return s;  // fibres in the tangent plane do not feel the thickness
     const Sym3<T> C = right_cauchy_green(E);
@@ -74,7 +74,7 @@ struct Holzapfel {
 
  private:
   template <class T>
-  T stretched(const Sym3<T>& E, const T* a) const {
+  OSTIUM_INLINE T stretched(const Sym3<T>& E, const T* a) const {
     using std::max;
     return max(
         T(2.0 * kappa) * E.trace() + T(2.0 * (1.0 - 3.0 * kappa)) * quadratic_form(E, a[0], a[1], a[2]),
@@ -83,13 +83,13 @@ struct Holzapfel {
 
   /// One where e is above zero, zero elsewhere, as a smooth ramp over 1e-12: no branch.
   template <class T>
-  static T is_positive(const T& e) {
+  static OSTIUM_INLINE T is_positive(const T& e) {
     using std::min;
     return min(e * T(1e12), T(1.0));
   }
 
   template <class T>
-  Sym3<T> structure(const T* a) const {
+  OSTIUM_INLINE Sym3<T> structure(const T* a) const {
     const T s(1.0 - 3.0 * kappa);
     Sym3<T> H{s * a[0] * a[0], s * a[1] * a[1], s * a[2] * a[2],
               s * a[0] * a[1], s * a[1] * a[2], s * a[2] * a[0]};

@@ -7,11 +7,12 @@
 /// series of (1 - r)^(-1/3), r = 1 - x y^3. The exponential: Taylor's series of x/512, then nine squarings. Both are the same
 /// for a number and for lanes. Not checked: the range; beyond it both lose digits.
 #pragma once
+#include "sph3d/structure/sym3.hpp"
 
 namespace ostium::sph3d {
 
 template <class T>
-T inverse_cube_root(const T& x) {
+OSTIUM_INLINE T inverse_cube_root(const T& x) {
   T y = (T(2.0) + x) / (T(1.0) + T(2.0) * x);
   for (int step = 0; step < 4; ++step) {
     const T r = T(1.0) - x * y * y * y;
@@ -21,7 +22,7 @@ T inverse_cube_root(const T& x) {
 }
 
 template <class T>
-T exponential(const T& x) {
+OSTIUM_INLINE T exponential(const T& x) {
   constexpr int squarings = 9, order = 8;
   const T t = x * T(1.0 / (1 << squarings));
   T m = T(0.0);  // e^t - 1, squared as such: nothing is lost beside the one

@@ -31,10 +31,10 @@ struct NeoHookean {
   double plate_modulus(double stretch = 1.0) const { return moduli().plate() * stretch * stretch; }
 
   /// nu/(1 - nu): strain across a thin sheet over that in its plane, at small strain.
-  double thinning() const { return (K - 2.0 / 3.0 * mu) / (K + 4.0 / 3.0 * mu); }
+  OSTIUM_INLINE double thinning() const { return (K - 2.0 / 3.0 * mu) / (K + 4.0 / 3.0 * mu); }
 
   template <class T>
-  Sym3<T> stress(const Sym3<T>& E, const Fibres<T>& = {}) const {
+  OSTIUM_INLINE Sym3<T> stress(const Sym3<T>& E, const Fibres<T>& = {}) const {
     const Sym3<T> C = right_cauchy_green(E), cofactor = C.cofactor();
     const T J2 = C.determinant(), inverse = T(1.0) / J2, shape = T(mu) * inverse_cube_root(J2);
     const T along_inverse = (T(0.5 * K) * (J2 - T(1.0)) - shape * C.trace() * T(1.0 / 3.0)) * inverse;
@@ -42,7 +42,7 @@ struct NeoHookean {
   }
 
   template <class T>
-  T energy(const Sym3<T>& E, const Fibres<T>& = {}) const {
+  OSTIUM_INLINE T energy(const Sym3<T>& E, const Fibres<T>& = {}) const {
     using std::log;
     const Sym3<T> C = right_cauchy_green(E);
     const T J2 = C.determinant();
@@ -51,7 +51,7 @@ struct NeoHookean {
 
   /// S_zz / (C^-1)_zz, which is nearly linear in E_zz and rises with it everywhere, and its slope, Pa.
   template <class T>
-  ThicknessStress<T> thickness_stress(const Sym3<T>& E, const Fibres<T>& = {}) const {
+  OSTIUM_INLINE ThicknessStress<T> thickness_stress(const Sym3<T>& E, const Fibres<T>& = {}) const {
     const Sym3<T> C = right_cauchy_green(E);
     const T area2 = C.xx * C.yy - C.xy * C.xy, J2 = C.determinant(), over = J2 / area2;  // 1 / (C^-1)_zz
     const T shape = T(mu) * inverse_cube_root(J2), third = C.trace() * T(1.0 / 3.0);

@@ -20,7 +20,7 @@ struct SheetStress {
   Sym3<T> stress, strain;
 
   /// By what the thickness has changed at this point.
-  T thickness_stretch() const {
+  OSTIUM_INLINE T thickness_stretch() const {
     using std::sqrt;
     return sqrt(T(1.0) + T(2.0) * strain.zz);
   }
@@ -28,7 +28,7 @@ struct SheetStress {
 
 /// The strain E_zz at which det C = 1.
 template <class T>
-T isochoric_thickness_strain(const Sym3<T>& E) {
+OSTIUM_INLINE T isochoric_thickness_strain(const Sym3<T>& E) {
   Sym3<T> C = right_cauchy_green(E);
   C.zz = T(0.0);
   const T area2 = C.xx * C.yy - C.xy * C.xy;
@@ -36,7 +36,7 @@ T isochoric_thickness_strain(const Sym3<T>& E) {
 }
 
 template <class Law, class T>
-SheetStress<T> plane_stress(const Law& law, Sym3<T> E, const Fibres<T>& fibres = {}) {
+OSTIUM_INLINE SheetStress<T> plane_stress(const Law& law, Sym3<T> E, const Fibres<T>& fibres = {}) {
   E.zz = T(law.thinning()) * isochoric_thickness_strain(E);
   for (int step = 0; step < Law::thickness_iterations; ++step) {
     const ThicknessStress<T> s = law.thickness_stress(E, fibres);

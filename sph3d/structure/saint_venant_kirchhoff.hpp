@@ -29,22 +29,22 @@ struct SaintVenantKirchhoff {
   double plate_modulus(double stretch = 1.0) const { return moduli().plate() * stretch * stretch; }
 
   /// nu/(1 - nu): strain across a thin sheet over that in its plane, at small strain.
-  double thinning() const { return lambda / (lambda + 2.0 * mu); }
+  OSTIUM_INLINE double thinning() const { return lambda / (lambda + 2.0 * mu); }
 
   template <class T>
-  Sym3<T> stress(const Sym3<T>& E, const Fibres<T>& = {}) const {
+  OSTIUM_INLINE Sym3<T> stress(const Sym3<T>& E, const Fibres<T>& = {}) const {
     return (T(2.0 * mu) * E).add_to_diagonal(T(lambda) * E.trace());
   }
 
   template <class T>
-  T energy(const Sym3<T>& E, const Fibres<T>& = {}) const {
+  OSTIUM_INLINE T energy(const Sym3<T>& E, const Fibres<T>& = {}) const {
     const T trace = E.trace();
     return T(0.5 * lambda) * trace * trace + T(mu) * contract(E, E);
   }
 
   /// S_zz and its slope dS_zz/dE_zz, Pa.
   template <class T>
-  ThicknessStress<T> thickness_stress(const Sym3<T>& E, const Fibres<T>& = {}) const {
+  OSTIUM_INLINE ThicknessStress<T> thickness_stress(const Sym3<T>& E, const Fibres<T>& = {}) const {
     return {T(lambda) * E.trace() + T(2.0 * mu) * E.zz, T(lambda + 2.0 * mu)};
   }
 };

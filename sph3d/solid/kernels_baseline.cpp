@@ -1,0 +1,2 @@
+#define OSTIUM_ISA baseline
+#include "sph3d/solid/kernels.inc"

@@ -36,16 +36,24 @@ void check(const SolidCloud<D>& cloud, const Material& material) {
       material);
 }
 
+constexpr double wanted_spread = 0.15, least_spread = 0.03;
+
+/// The kernel of a pair, that of the wider of the two: the same seen from both sides.
+template <int D>
+Wendland<D> pair_kernel(const SolidModel<D>& m, std::size_t a, std::size_t b) {
+  return {std::max(m.smoothing[a], m.smoothing[b])};
+}
+
 template <int D>
 void find_neighbours(SolidModel<D>& m) {
   const auto& X = m.cloud.position;
-  const PointGrid<D> grid(X, m.kernel.reach());
+  const PointGrid<D> grid(X, 2.0 * *std::max_element(m.smoothing.begin(), m.smoothing.end()));
   std::vector<std::int32_t> found;
-  m.row = {0};
+  m.row = {0}, m.neighbour.clear();
   for (std::size_t a = 0; a < m.count(); ++a) {
     found.clear();
-    grid.near(X[a], [&](int b, const Vec<D>&) {
-      if (b != static_cast<int>(a)) found.push_back(b);
+    grid.near(X[a], [&](int b, const Vec<D>& apart) {
+      if (b != static_cast<int>(a) && apart.norm() < pair_kernel(m, a, b).reach()) found.push_back(b);
     });
     std::sort(found.begin(), found.end());
     m.neighbour.insert(m.neighbour.end(), found.begin(), found.end());
@@ -61,7 +69,7 @@ void weigh_pairs(SolidModel<D>& m) {
     for (auto k = m.row[a]; k < m.row[a + 1]; ++k) {
       const auto b = static_cast<std::size_t>(m.neighbour[k]);
       const Vec<D> apart = m.cloud.position[b] - m.cloud.position[a];
-      const double s = -m.kernel.slope(apart.norm()) / apart.norm() * m.cloud.volume[b];
+      const double s = -pair_kernel(m, a, b).slope(apart.norm()) / apart.norm() * m.cloud.volume[b];
       Eigen::Map<Vec<D>>(&m.weight[(D + 1) * k]) = s * apart;
       m.weight[(D + 1) * k + D] = spring * (m.stiffness_of(a) + m.stiffness_of(b)) * s;
     }
@@ -75,11 +83,14 @@ Mat<D> moments(const SolidModel<D>& m, std::size_t a) {
   return M;
 }
 
-/// A particle whose neighbours lie in a line or a plane has no deformation gradient.
+/// How well the neighbours of a particle surround it: about 1 in the bulk, 0 when they lie in a line or a plane.
 template <int D>
-void check_spread(const SolidModel<D>& m, std::size_t a, const Mat<D>& moments) {
-  const double least = Eigen::SelfAdjointEigenSolver<Mat<D>>(moments).eigenvalues()[0];
-  if (least > 0.05) return;
+double spread(const SolidModel<D>& m, std::size_t a) {
+  return Eigen::SelfAdjointEigenSolver<Mat<D>>(moments(m, a)).eigenvalues()[0];
+}
+
+template <int D>
+[[noreturn]] void refuse(const SolidModel<D>& m, std::size_t a) {
   const Vec<D>& x = m.cloud.position[a];
   user_error(
       "The solid's particle at ({:g}, {:g}, {:g}) m has {} neighbours, too few on one side to tell how it "
@@ -88,14 +99,30 @@ void check_spread(const SolidModel<D>& m, std::size_t a, const Mat<D>& moments) 
       x[0], x[1], D == 3 ? x[D - 1] : 0.0, m.row[a + 1] - m.row[a], m.options.spacing);
 }
 
+/// Particles on irregular edges with few neighbours see farther.
+template <int D>
+void connect(SolidModel<D>& m) {
+  constexpr int tries = 4;
+  m.smoothing.assign(m.count(), m.kernel.h);
+  for (int k = 0; k < tries; ++k) {
+    find_neighbours(m), weigh_pairs(m);
+    const double wanted = k + 1 < tries ? wanted_spread : least_spread;
+    bool all = true;
+    for (std::size_t a = 0; a < m.count(); ++a) {
+      if (spread(m, a) > wanted) continue;
+      if (k + 1 == tries) refuse(m, a);
+      m.smoothing[a] *= 1.15, all = false;
+    }
+    if (all) return;
+  }
+}
+
 template <int D>
 void correct(SolidModel<D>& m) {
   constexpr std::size_t L = SolidModel<D>::lanes;
   m.correction.assign(D * D * L * m.groups(), 0.0);
   for (std::size_t a = 0; a < m.count(); ++a) {
-    const Mat<D> M = moments(m, a);
-    check_spread(m, a, M);
-    const Mat<D> B = M.inverse();
+    const Mat<D> B = moments(m, a).inverse();
     for (int i = 0; i < D * D; ++i) m.correction[(a / L * D * D + i) * L + a % L] = B.data()[i];
   }
 }
@@ -130,7 +157,7 @@ SolidModel<D> make_solid(SolidCloud<D> cloud, const SolidOptions& options) {
   // Shear waves, not pressure waves, are what rings: the damping scales with the speed in a plate.
   m.viscosity = options.damping * options.density * m.kernel.h *
                 wave_speed(moduli(options.material).plate(), options.density);
-  find_neighbours(m), weigh_pairs(m), correct(m), lay_out_particles(m);
+  connect(m), correct(m), lay_out_particles(m);
   return m;
 }
 

@@ -10,7 +10,7 @@
 ///   held        components of the motion that are not free, bit d for component d: clamped where the velocity is zero
 ///   stiffness   factor on the stress of the law, for walls that vary             -
 ///   fibres      directions in the reference configuration, for laws that have them
-///   spacing     dp; smoothing length h = dp, support 2h                     m
+///   spacing     dp; smoothing length h = dp, support 2h; more for particles on irregular edges                     m
 ///   hourglass   alpha, what holds motions that F does not see                    -
 ///   damping     a, viscosity of the material over rho c h                        -
 ///
@@ -55,6 +55,7 @@ struct SolidModel {
   Wendland<D> kernel;
   double viscosity = 0;  ///< a rho c h, Pa s
 
+  std::vector<double> smoothing;        ///< h of each particle, a pair has the wider one, m
   std::vector<std::int64_t> row;        ///< first pair of each particle, and the end
   std::vector<std::int32_t> neighbour;  ///< of each pair
   /// Per pair grad W_ab V_b, then the spring alpha mu (stiffness_a + stiffness_b) s_ab, Pa/m2: D + 1 numbers.

@@ -99,6 +99,30 @@ TEST(SolidForces, AreTheDerivativeOfTheEnergy) {
   }
 }
 
+/// Neighbours that move to and fro against each other: away from edges only the springs see it. Of a particle's neighbours the
+/// four along the axes move against it, those across the diagonal with it: f = - 2 alpha mu V 4 s 2 u.
+TEST(SolidForces, SpringsHoldWhatTheGradientDoesNotSee) {
+  const double dp = 0.05, size = 1e-5, V = dp * dp, alpha = 0.3;
+  const auto push = [&](double hourglass) {
+    const auto m =
+        make_solid<2>(box<2>(Vec2::Zero(), Vec2::Ones(), dp),
+                      {.material = laws[0], .density = 1000, .spacing = dp, .hourglass = hourglass});
+    const auto sign = [&](const Vec2& X) {
+      return (std::lround(X[0] / dp - 0.5) + std::lround(X[1] / dp - 0.5)) % 2 ? 1.0 : -1.0;
+    };
+    const auto u = deformed<2>(m, [&](const Vec2& X) -> Vec2 { return size * sign(X) * Vec2::UnitX(); });
+    const auto f = forces(m, u);
+    std::size_t middle = 0;
+    for (std::size_t a = 0; a < m.count(); ++a)
+      if ((m.cloud.position[a] - Vec2(0.525, 0.525)).norm() < 0.01) middle = a;
+    return f[middle][0] * sign(m.cloud.position[middle]);
+  };
+  const double s = -Wendland<2>{dp}.slope(dp) / dp * V,
+               expected = -2 * alpha * tissue.mu() * V * 4 * s * 2 * size;
+  EXPECT_NEAR(push(0.0), 0.0, 1e-10 * std::abs(expected));
+  EXPECT_NEAR(push(alpha), expected, 1e-9 * std::abs(expected));
+}
+
 TEST(SolidForces, KeepMomentumAndAngularMomentum) {
   const auto m = irregular_cube<3>(laws[1]);
   const auto state = deformed<3>(m, wave<3>);

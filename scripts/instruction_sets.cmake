@@ -13,7 +13,8 @@ macro(per_instruction_set x)
                    --param=inline-unit-growth=10000 --param=large-function-growth=100000)
   set(flags_baseline "")
   set(flags_avx2 -mavx2 -mfma)
-  set(flags_avx512 ${flags_avx2} -mavx512f -mavx512vl -mavx512dq -mavx512bw -mprefer-vector-width=256)
+  set(flags_avx512 ${flags_avx2} -mavx512f -mavx512vl -mavx512dq -mavx512bw -mprefer-vector-width=256
+      -Wno-maybe-uninitialized)  # g++ 12 warns of its own intrinsics
   if(OSTIUM_BASELINE_ONLY)
     list(FILTER sources EXCLUDE REGEX "/${x}_avx")
   endif()

@@ -63,11 +63,13 @@ struct alignas(64) ShellStress {
   double hourglass[8];         ///< A dPsi/dh in 0..3                                 N
 };
 
-/// Weights of a pair (a, b). Forward: what b gives to the gradients at a. Backward: what a gives to those at b.
+/// Weights of a pair (a, b). Forward: what b gives to the gradients at a. Backward: what a gives to those at b. In single
+/// precision, which halves what has to come from memory: everything of the reference is computed with the weights as they
+/// are, so that rounding costs linear fields 1e-7 of their gradient and rotations nothing.
 template <int D>
 struct ShellWeight {
-  double gradient[tangents<D>];  ///< 1/m
-  double hourglass;
+  float gradient[tangents<D>];  ///< 1/m
+  float hourglass;
 };
 
 template <int D>

@@ -24,10 +24,11 @@ namespace ostium::sph3d {
 ///   free           nothing
 ///   clamped        neither moves nor turns
 ///   hinged         does not move, turns freely: a simply supported edge
+///   roller         does not move along `axis`, turns freely
 ///   released       does not move along `axis` and does not turn: an end that may widen
 ///   diaphragm      moves along `axis` only, turns freely: an end plate that is stiff in its plane
 ///   symmetric      neither moves nor leans along `axis`: on a plane of symmetry
-enum class Support { free, clamped, hinged, released, diaphragm, symmetric };
+enum class Support { free, clamped, hinged, roller, released, diaphragm, symmetric };
 
 template <int D>
 struct ShellCloud {

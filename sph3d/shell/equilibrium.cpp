@@ -54,12 +54,19 @@ void stop(ShellState<D>& state) {
 
 }  // namespace
 
+/// What the motion of this round may still come to: if it goes on to decay as it did, and within 1/omega.
+double left_over(const Change& now, double inertia_before, double rounds_per_omega) {
+  const double decay = std::sqrt(now.inertia / std::max(inertia_before, 1e-300));
+  return now.largest * std::max(rounds_per_omega, 1.0 / std::max(1.0 - decay, 1e-6));
+}
+
 template <int D>
 EquilibriumReport find_equilibrium(const ShellModel<D>& model, ShellState<D>& state,
                                    const std::vector<ShellLoad<D>>& load, const EquilibriumOptions& options) {
   ShellWorkspace<D> work(model);
   EquilibriumReport report;
-  const double dt = stable_step(model) * options.cfl / model.options.cfl;
+  const double dt = stable_step(model), round = options.check_every * dt;
+  double inertia = 0.0;
   while (report.steps < options.most_steps) {
     const auto before = state.blocks;
     const auto last = work.force;
@@ -68,8 +75,9 @@ EquilibriumReport find_equilibrium(const ShellModel<D>& model, ShellState<D>& st
     if (report.steps == options.check_every) continue;
     const Change moved = change(model, state.blocks, before, work.force, last);
     report.frequency = std::min(moved.frequency(), 0.5 / dt);
-    const double left = moved.largest / (options.check_every * dt * std::max(report.frequency, 1e-12 / dt));
+    const double left = left_over(moved, inertia, 1.0 / (round * std::max(report.frequency, 1e-12 / dt)));
     report.residual = left / std::max(moved.displacement, 1e-300);
+    inertia = moved.inertia;
     if (report.residual < options.tolerance) {
       stop(state);
       return report;

@@ -4,7 +4,7 @@
 ///   c = 2 omega,   omega^2 = -sum dF.dx / sum m dx.dx      (over the last steps, rotations included)
 ///
 ///   dF, dx    changes of forces and positions
-///   tolerance   largest motion left in the time 1/omega, over the largest displacement       -
+///   tolerance   what is left of the motion over the largest displacement, by its decay and by its speed over omega   -
 ///
 /// Source: Underwood 1983, Dynamic relaxation; docs/theory/shell.md. NumericsError when the steps run out. Not checked: that
 /// the equilibrium is stable.
@@ -17,7 +17,6 @@ struct EquilibriumOptions {
   double tolerance = 1e-6;
   int most_steps = 400000;
   int check_every = 20;
-  double cfl = 0.9;  ///< instead of that of the model
 };
 
 struct EquilibriumReport {

@@ -70,6 +70,8 @@ Keep keep_of(Support support) {
       return {0, 0, 0, 0};
     case Support::hinged:
       return {0, 0, 1, 0};
+    case Support::roller:
+      return {1, -1, 1, 0};
     case Support::released:
       return {1, -1, 0, 0};
     case Support::diaphragm:
@@ -114,14 +116,6 @@ void describe_surface(const ShellModel<D>& model, const Frame<D>& e, std::size_t
   }
 }
 
-/// A clamp makes a kink in the curvature: what the zigzag weights would see there is none.
-template <int D>
-bool near_clamp(const ShellModel<D>& model, std::size_t a) {
-  const auto& support = model.cloud.support;
-  const auto clamped = [&](std::size_t b) { return !support.empty() && support[b] == Support::clamped; };
-  return clamped(a) || std::ranges::any_of(model.neighbours(a), clamped);
-}
-
 template <int D>
 void describe_wall(const ShellModel<D>& model, const Frame<D>& e, std::size_t a, ShellReference<D>& r) {
   const std::size_t lane = a % 8;
@@ -134,9 +128,8 @@ void describe_wall(const ShellModel<D>& model, const Frame<D>& e, std::size_t a,
   r.area[lane] = cloud.area[a], r.thickness[lane] = t, r.stiffness[lane] = factor;
   r.inverse_mass[lane] = 1.0 / model.mass(a);
   r.inverse_rotary[lane] = 1.0 / (model.mass(a) * model.gyration2(a));
-  const double zigzag = near_clamp(model, a) ? 0.0 : o.hourglass;
-  r.hourglass_stiffness[0][lane] = zigzag * plate * t / dp2;
-  r.hourglass_stiffness[1][lane] = zigzag / (dp2 / (shear * t) + dp2 * dp2 / (plate * t * t * t / 12.0));
+  r.hourglass_stiffness[0][lane] = o.hourglass * plate * t / dp2;
+  r.hourglass_stiffness[1][lane] = o.hourglass / (dp2 / (shear * t) + dp2 * dp2 / (plate * t * t * t / 12.0));
   const double slow = o.damping * std::sqrt(o.density * shear),
                fast = o.damping * std::sqrt(o.density * plate);
   r.viscosity[0][lane] = t * (h * slow + 2.0 * o.viscosity);

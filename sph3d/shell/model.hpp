@@ -7,7 +7,7 @@
 ///   gauss_points      through the thickness: 1 (no bending stiffness), 2, 3 or 5                       -
 ///   damping           a: artificial viscosity a rho c h_s, c of extension and of shear           -
 ///   viscosity         of the wall itself, eta: S += 2 eta dE/dt                                  Pa s
-///   hourglass         gamma: resistance to zigzags, over that of smooth waves as short           -
+///   hourglass         gamma: stiffness against zigzags over the wall's own, see theory            -
 ///   rotary_scaling    rotary inertia of a wall at least h_s thick: longer steps for thin walls
 ///   face              where pressure acts: -1 inner face, 0 mid-surface, 1 outer face            -
 ///   spring, dashpot   tissue around the wall: traction -spring u - dashpot v         Pa/m, Pa s/m
@@ -32,7 +32,7 @@ struct ShellOptions {
   double spacing = 0, density = 1000;
   Material material = SaintVenantKirchhoff({.E = 1e6, .nu = 0.3});
   int gauss_points = 3;
-  double smoothing = 1.15, damping = 0.5, viscosity = 0, hourglass = 0.1;
+  double smoothing = 1.15, damping = 0.5, viscosity = 0, hourglass = 1.0;
   bool rotary_scaling = false;
   double face = 0;
   double spring = 0, dashpot = 0;

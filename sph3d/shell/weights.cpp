@@ -43,7 +43,7 @@ void hourglass_weights(const std::vector<TangentPoint<D>>& around, double reach,
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(fit);
   solver.setThreshold(1e-8);
   const Eigen::VectorXd rest = root - fit * solver.solve(root);
-  for (Eigen::Index b = 0; b < n; ++b) out[b].hourglass = root[b] * rest[b] / root.squaredNorm();
+  for (Eigen::Index b = 0; b < n; ++b) out[b].hourglass = float(root[b] * rest[b] / root.squaredNorm());
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ bool pair_weights(const std::vector<TangentPoint<D>>& around, const ReducedKerne
   const TangentMatrix<D> B = guarded_inverse<D>(M, least_moment, exact);
   for (std::size_t b = 0; b < around.size(); ++b) {
     const Tangent<D> g = kernel.pull(around[b].distance) * around[b].area * B * around[b].xi;
-    for (int k = 0; k < D - 1; ++k) out[b].gradient[k] = g[k];
+    for (int k = 0; k < D - 1; ++k) out[b].gradient[k] = float(g[k]);
   }
   if (!around.empty()) hourglass_weights<D>(around, kernel.reach(), out);
   return exact;

@@ -41,9 +41,9 @@ TEST(ShellAlgebra, PatchOfUniformStrain) {
                stretch = std::sqrt(1 - 2 * 0.3 / 0.7 * E_xx);
   for (std::size_t a = 0; a < model.count(); ++a) {
     const auto wall = wall_stress(model, state, a, 1.0);
-    EXPECT_NEAR(wall.cauchy(0, 0) / (S * (1 + e) / stretch), 1.0, 1e-10);
-    EXPECT_NEAR(wall.cauchy(1, 1) / (0.3 * S / (1 + e) / stretch), 1.0, 1e-10);
-    EXPECT_NEAR(wall.cauchy(0, 1) / S, 0.0, 1e-10);
+    EXPECT_NEAR(wall.cauchy(0, 0) / (S * (1 + e) / stretch), 1.0, 1e-6);
+    EXPECT_NEAR(wall.cauchy(1, 1) / (0.3 * S / (1 + e) / stretch), 1.0, 1e-6);
+    EXPECT_NEAR(wall.cauchy(0, 1) / S, 0.0, 1e-6);
   }
 }
 
@@ -64,8 +64,9 @@ TEST(ShellAlgebra, RotationIsNoStrain) {
       [&](std::size_t a) { return R * cloud.normal[a]; });
   ShellWorkspace<3> work(model);
   accelerate(model, state, no_load(model), work);
-  for (std::size_t a = 0; a < model.count(); ++a) EXPECT_LT(work.acceleration(a).norm(), 1e-8);
-  EXPECT_LT(energies(model, state).total(), 1e-18);
+  for (std::size_t a = 0; a < model.count(); ++a)
+    EXPECT_LT(work.acceleration(a).norm(), 1e-4);  // of E / (rho dp): the weights are single
+  EXPECT_LT(energies(model, state).total(), 1e-10);
 }
 
 template <int D>
@@ -144,7 +145,7 @@ TEST(ShellAlgebra, InnerForcesBalance) {
     size += f.norm();
   }
   EXPECT_LT(force.norm(), 1e-12 * size);
-  EXPECT_LT(moment.norm(), 1e-12 * size);
+  EXPECT_LT(moment.norm(), 1e-10 * size);  // the weights are single
 }
 
 // A curved wall under plain radial growth: the stress through its thickness is that of a thick tube without radial stress.

@@ -80,6 +80,15 @@ void deform(const ShellModel<D>& model, ShellState<D>& state, Place place, Norma
   }
 }
 
+/// For equilibria: rotary scaling and little damping allow long steps.
+inline ShellOptions static_options(double dp, double E, double nu) {
+  return {.spacing = dp,
+          .material = SaintVenantKirchhoff(elastic(E, nu)),
+          .damping = 0.1,
+          .rotary_scaling = true,
+          .cfl = 0.9};
+}
+
 template <int D>
 void set_force(std::vector<ShellLoad<D>>& load, std::size_t a, const Vec<D>& f) {
   for (int d = 0; d < D; ++d) load[a / 8].force[d][a % 8] = f[d];

@@ -4,6 +4,7 @@
 #include "shell_clouds.hpp"
 #include "sph3d/shell/equilibrium.hpp"
 #include "sph3d/shell/recover.hpp"
+#include "sph3d/shell/stable_step.hpp"
 
 namespace ostium::sph3d {
 namespace {
@@ -20,11 +21,10 @@ struct Strip {
     return p * std::pow(span, 4) / (384 * D()) * ends + p * span * span / (8 * shear());
   }
   double pressure() const { return 0.002 * t * 384 * D() / std::pow(L, 4); }
-  ShellOptions options(double dp, double hourglass = 0.1) const {
-    return {.spacing = dp,
-            .material = SaintVenantKirchhoff(elastic(E, nu)),
-            .hourglass = hourglass,
-            .rotary_scaling = true};
+  ShellOptions options(double dp, double hourglass = 1.0) const {
+    auto o = static_options(dp, E, nu);
+    o.hourglass = hourglass;
+    return o;
   }
 };
 
@@ -33,7 +33,7 @@ ShellState<2> pressed(const ShellModel<2>& model, double p) {
   auto load = no_load(model);
   for (auto& block : load)
     for (double& x : block.pressure) x = p;
-  find_equilibrium(model, state, load, {.tolerance = 1e-7});
+  find_equilibrium(model, state, load, {.tolerance = 1e-4});
   return state;
 }
 
@@ -55,15 +55,14 @@ TEST(ShellStatics, ClampedStripWithItsEffectiveSpan) {
     }
 }
 
-// With the default the clamp lies nearer to the band. Whatever its place, it goes with the spacing: extrapolated twice the
-// deflection is that of the ideal clamp.
+// With the default the clamp lies a little nearer to the band, until the spacing is less than the thickness.
 TEST(ShellStatics, ClampedStripConverges) {
   const Strip s;
-  const double coarse = clamped_strip(s, 20, 0.1, s.L), middle = clamped_strip(s, 40, 0.1, s.L),
-               fine = clamped_strip(s, 80, 0.1, s.L);
-  const double first = 2 * middle - coarse, second = 2 * fine - middle;
-  EXPECT_NEAR((4 * second - first) / 3, 1.0, 0.006);
-  EXPECT_NEAR((middle - 1) / (fine - 1), 2.0, 0.2);
+  double error[3];
+  for (int k = 0; k < 3; ++k) error[k] = 1.0 - clamped_strip(s, 40 << k, 1.0, s.L + 2 * s.L / (40 << k));
+  EXPECT_LT(std::abs(error[2]), 0.006);
+  EXPECT_GT(error[0] / error[1], 2.0);
+  EXPECT_GT(error[1] / error[2], 2.0);
 }
 
 double hinged_strip(const Strip& s, int n) {
@@ -102,7 +101,7 @@ struct Cantilever {
         last(3 + std::size_t(n)) {
     auto loads = no_load(model);
     set_force<2>(loads, last, Vec2(0.0, load));
-    find_equilibrium(model, state, loads, {.tolerance = 1e-7});
+    find_equilibrium(model, state, loads, {.tolerance = 1e-4});
   }
 };
 
@@ -114,16 +113,46 @@ TEST(ShellStatics, CantileverWithSmallDeflection) {
   EXPECT_NEAR(beam.state.displacement(beam.last)[1] / exact, 1.0, 0.01);
 }
 
+// The load parameter P L^2 / D of the benchmark for the effective length.
 TEST(ShellStatics, CantileverWithLargeDeflection) {
   const Strip s{.L = 10.0, .t = 0.1, .E = 1.2e6, .nu = 0.0};
-  for (int n : {40, 80}) {
-    // the load parameter P L^2 / D of the benchmark for the effective length
-    const double arm = (n + 0.5) * s.L / n, P = 4.0 * std::pow(s.L / arm, 2);
-    const Cantilever beam(s, n, P, 0.001);
-    const Vec2 u = beam.state.displacement(beam.last) * s.L / arm;
-    EXPECT_NEAR(u[1] / 6.698, 1.0, 0.02);
-    EXPECT_NEAR(-u[0] / 3.286, 1.0, 0.02);
+  const int n = 40;
+  const double arm = (n + 0.5) * s.L / n, P = 4.0 * std::pow(s.L / arm, 2);
+  const Cantilever beam(s, n, P, 0.001);
+  const Vec2 u = beam.state.displacement(beam.last) * s.L / arm;
+  EXPECT_NEAR(u[1] / 6.698, 1.0, 0.01);
+  EXPECT_NEAR(-u[0] / 3.286, 1.0, 0.01);
+}
+
+/// The last two particles are pulled apart across their connection, which follows the strip: a moment M at its end. Returns
+/// where the end has come, over the length, when the moment is that of a full circle.
+double rolled_up(int n) {
+  const Strip s{.L = 10.0, .t = 0.1, .E = 1.2e6, .nu = 0.0};
+  const double dp = s.L / n, M = 2 * pi * s.D() / (s.L + dp);
+  const ShellModel<2> model(strip(n, dp, s.t, 4, 0), s.options(dp, 0.001));
+  auto state = rest(model);
+  ShellWorkspace<2> work(model);
+  auto load = no_load(model);
+  const std::size_t tip = model.count() - 1;
+  const double dt = stable_step(model), omega = 3.5 / (s.L * s.L) * std::sqrt(s.D() / (1000 * s.t));
+  const int rounds = int(40 / (omega * dt) / 10);
+  for (int k = 0; k < rounds; ++k) {
+    const Vec2 along = model.cloud.position[tip] + state.displacement(tip) - model.cloud.position[tip - 1] -
+                       state.displacement(tip - 1);
+    const Vec2 across =
+        Vec2(-along[1], along[0]) * (std::min(1.0, 2.0 * k / rounds) * M / along.squaredNorm());
+    set_force<2>(load, tip, across);
+    set_force<2>(load, tip - 1, -across);
+    advance(model, state, load, work, {dt, 10, 4 * omega});
   }
+  const Vec2 end = model.cloud.position[tip] + state.displacement(tip), start = model.cloud.position[4];
+  return (end - start).norm() / s.L;
+}
+
+TEST(FullShellStatics, RollUp) {
+  const double coarse = rolled_up(40), fine = rolled_up(80);
+  EXPECT_LT(fine, 0.025);
+  EXPECT_GT(coarse / fine, 1.3);
 }
 
 }  // namespace

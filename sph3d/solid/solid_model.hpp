@@ -42,7 +42,7 @@ inline constexpr std::uint8_t hold_all = 7;
 struct SolidOptions {
   Material material;
   double density, spacing;
-  double hourglass = 0.3;
+  double hourglass = 1.0;
   double damping = 0.1;
 };
 

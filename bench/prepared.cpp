@@ -43,8 +43,8 @@ void Prepared::density(const FluidKernels<3>& kernels, std::int64_t begin, std::
 }
 
 void Prepared::show_pressures() {
-  const float c2 = constants_of(model).c2;
-  for (std::size_t i = 0; i < fluid.places(); ++i) work.place[i].w = work.velocity[i].kV * fluid.psi(i) * c2;
+  const float c2 = constants_of(model).c2, kV = constants_of(model).kV;
+  for (std::size_t i = 0; i < fluid.places(); ++i) work.place[i].w = kV * fluid.psi(i) * c2;
 }
 
 }  // namespace ostium::bench

@@ -132,12 +132,12 @@ std::pair<double, StepBound> Vessel<D>::time_step(double dt_limit) const {
 /// The density half step left over by the last acoustic step, and with it the records' pressures.
 template <int D>
 void Vessel<D>::first_pressures(double dt) {
-  const float c2 = constants_of(*model_).c2;
+  const FluidConstants constants = constants_of(*model_);
   for_clusters(state_.fluid.clusters.size(), [&](std::size_t c) {
     Cluster<D>& own = state_.fluid.clusters[c];
     for (std::size_t lane = 0; lane < 8; ++lane) {
       own.psi[lane] += static_cast<float>(0.5 * dt) * own.rate[lane];
-      work_.place[8 * c + lane].w = work_.velocity[8 * c + lane].kV * own.psi[lane] * c2;
+      work_.place[8 * c + lane].w = constants.kV * constants.c2 * own.psi[lane];
     }
   });
 }

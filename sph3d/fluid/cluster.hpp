@@ -62,13 +62,13 @@ struct alignas(64) ClusterSurroundings {
 };
 
 struct alignas(16) PlaceRecord {
-  float x, y, z, w;  ///< position over 2h; w = kV, or kV P during the acoustic steps
+  float x, y, z, w;  ///< position over 2h; w = kV P during the acoustic steps
 };
 struct alignas(16) VelocityRecord {
-  float x, y, z, kV;
+  float x, y, z, unused;
 };
 struct alignas(32) MatrixRecord {
-  float b[8];  ///< B of the neighbour (3 or 6 numbers), kV in b[7]
+  float b[8];  ///< B of the neighbour (3 or 6 numbers)
 };
 
 /// Rows of one cluster: indices of every particle within reach of any of the eight. Some entries past the
@@ -101,6 +101,7 @@ struct Box {
 struct FluidConstants {
   float c = 0, c2 = 0;       ///< sound speed, its square                       m/s
   float reach = 0;           ///< 2h                                            m
+  float kV = 0;              ///< of every particle, see above                  1/m
   float density_factor = 0;  ///< W V = density_factor kV (1-r)^4 (1+4r)        m
   float viscosity = 0;       ///< kinematic viscosity                           m2/s
   float limiter = 0;         ///< of the pressure dissipation, 3; 0 turns it off
@@ -112,13 +113,13 @@ struct FluidConstants {
 /// The fluid kernels of one dimension, compiled for one instruction set.
 template <int D>
 struct FluidKernels {
-  /// density, gradient, moment and k0 of the clusters [begin, end); place.w = kV.
+  /// density, gradient, moment and k0 of the clusters [begin, end).
   void (*sums)(std::int64_t begin, std::int64_t end, Cluster<D>*, ClusterSums<D>*, const Rows*,
                const PlaceRecord*, const FluidConstants&);
   /// B from the moments of fluid and wall, with its record; friction; source.
   void (*corrections)(std::int64_t begin, std::int64_t end, Cluster<D>*, const ClusterSums<D>*,
                       const ClusterSurroundings<D>*, MatrixRecord*, const FluidConstants&);
-  /// G, prior and imbalance; place.w = kV.
+  /// G, prior and imbalance.
   void (*corrected_sums)(std::int64_t begin, std::int64_t end, Cluster<D>*, ClusterSums<D>*, const Rows*,
                          const PlaceRecord*, const VelocityRecord*, const MatrixRecord*,
                          const FluidConstants&);

@@ -17,8 +17,7 @@ struct Cloud {
   std::vector<PlaceRecord> place;
   RowLists<D> rows;
 
-  void freeze(const std::vector<Vec<D>>& points, const std::vector<std::int32_t>& order, double reach,
-              float kV) {
+  void freeze(const std::vector<Vec<D>>& points, const std::vector<std::int32_t>& order, double reach) {
     const std::size_t places = (points.size() + 7) / 8 * 8;
     clusters.resize(places / 8);
     sums.resize(places / 8);
@@ -29,7 +28,6 @@ struct Cloud {
       const Vec<D> x = (points[order[k]] - points[0]) / reach;
       float* p = &place[k].x;
       for (int d = 0; d < D; ++d) p[d] = clusters[k / 8].x[d][k % 8] = static_cast<float>(x[d]);
-      place[k].w = kV;
     }
     rows.build(clusters);
   }
@@ -41,16 +39,16 @@ template <int D>
 double relax(std::vector<Vec<D>>& points, const std::vector<std::uint8_t>& fixed, const Relaxation<D>& how) {
   if (points.empty()) return 0.0;
   const double h = how.kernel.h, largest = 0.1 * std::pow(how.volume, 1.0 / D);
-  const auto kV = static_cast<float>(10.0 * how.kernel.normalisation() / h * how.volume);
   FluidConstants constants;
   constants.reach = static_cast<float>(how.kernel.reach());
+  constants.kV = static_cast<float>(10.0 * how.kernel.normalisation() / h * how.volume);
   const auto& kernels = fluid_kernels<D>();
   Cloud<D> cloud;
   std::vector<std::int32_t> order;
   double rms = 0;
   for (int iteration = 0; iteration < how.iterations; ++iteration) {
     if (iteration % 50 == 0) order = bisection_order<D>(points);
-    cloud.freeze(points, order, how.kernel.reach(), kV);
+    cloud.freeze(points, order, how.kernel.reach());
     const auto n = static_cast<std::int64_t>(cloud.clusters.size());
     std::vector<double> squares(n, 0.0);
 #pragma omp parallel for schedule(static)

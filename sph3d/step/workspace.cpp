@@ -22,6 +22,7 @@ FluidConstants constants_of(const Model<D>& model) {
   FluidConstants constants{.c = f(o.sound_speed),
                            .c2 = f(o.sound_speed * o.sound_speed),
                            .reach = f(model.kernel.reach()),
+                           .kV = kernel_volume(model),
                            .density_factor = f(model.kernel.h / 10.0),
                            .viscosity = f(o.viscosity),
                            .limiter = f(o.limiter),
@@ -60,7 +61,6 @@ template <int D>
 void freeze(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
   const std::size_t n = state.places();
   const double scale = 1.0 / model.kernel.reach();
-  const float kV = kernel_volume(model);
   work.place.resize(n + 1);
   work.velocity.resize(n + 1);
   work.matrix.resize(n + 1);
@@ -76,7 +76,6 @@ void freeze(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
       PlaceRecord& place = work.place[8 * c + lane];
       VelocityRecord& velocity = work.velocity[8 * c + lane];
       for (int d = 0; d < D; ++d) (&place.x)[d] = own.x[d][lane], (&velocity.x)[d] = own.v[d][lane];
-      place.w = velocity.kV = state.filled[8 * c + lane] ? kV : 0.0f;
     }
   });
   work.place[n] = {far_away, far_away, far_away, 0};

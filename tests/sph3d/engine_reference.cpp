@@ -118,7 +118,7 @@ void compare(const char* isa) {
   const float dt = 2e-5f;
   const auto n = static_cast<std::int64_t>(p.fluid.clusters.size());
   for (std::size_t i = 0; i < p.fluid.places(); ++i)
-    p.work.place[i].w = p.work.velocity[i].kV * p.fluid.psi(i) * constants.c2;
+    p.work.place[i].w = constants.kV * p.fluid.psi(i) * constants.c2;
   const auto before = reference.particles;
   fluid_kernels<D>().kick(0, n, p.fluid.clusters.data(), p.work.rows.data(), p.work.place.data(),
                           p.work.velocity.data(), constants, dt);
@@ -199,8 +199,7 @@ void compare_whole_step(const Lumen<D>& lumen, std::size_t least_particles) {
   const auto& kernels = fluid_kernels<D>();
   const FluidConstants constants = constants_of(model);
   const auto n = static_cast<std::int64_t>(p.fluid.clusters.size());
-  for (std::size_t i = 0; i < places; ++i)
-    p.work.place[i].w = p.work.velocity[i].kV * p.fluid.psi(i) * constants.c2;
+  for (std::size_t i = 0; i < places; ++i) p.work.place[i].w = constants.kV * p.fluid.psi(i) * constants.c2;
   Largest acceleration, rate, wall_force;
   std::vector<Vec<D>> before(places);
   for (int k = 1; k <= acoustic_steps; ++k) {

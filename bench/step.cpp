@@ -35,7 +35,7 @@ struct Rival {
 
 std::vector<Rival> parts_of(Prepared& p) {
   const double seldom = 1.0 / p.model.options.reorder_every;
-  return {{"reorder", [&] { p.fluid.reorder(); }, seldom},
+  return {{"reorder", [&] { p.fluid.reorder(p.work.spare); }, seldom},
           {"freeze, rows", [&] { freeze(p.model, p.fluid, p.work); }},
           {"zones", [&] { find_zones(p.model, p.fluid, p.work); }},
           {"look around", [&] { look_around(p.model, p.fluid, p.work); }},

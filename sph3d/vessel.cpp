@@ -102,7 +102,7 @@ StepReport Vessel<D>::advance(double dt_limit, std::span<const Drive> drives, do
 template <int D>
 void Vessel<D>::prepare(double dt, double acoustic_dt, PhaseSeconds& seconds) {
   const Stopwatch watch(seconds.advection);
-  if (state_.steps % model_->options.reorder_every == 0) state_.fluid.reorder();
+  if (state_.steps % model_->options.reorder_every == 0) state_.fluid.reorder(work_.spare);
   prepare_step(*model_, state_.fluid, work_, dt);
   first_pressures(acoustic_dt);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/large_pages.hpp"
 #include "sph3d/neighbours/order.hpp"
 
 namespace ostium::sph3d {
@@ -70,7 +71,7 @@ void FluidState<D>::remove(std::size_t i) {
 }
 
 template <int D>
-void FluidState<D>::reorder() {
+void FluidState<D>::reorder(FluidState& spare) {
   std::vector<Vec<D>> points;
   std::vector<std::size_t> place;
   points.reserve(places());
@@ -83,24 +84,18 @@ void FluidState<D>::reorder() {
   if (points.empty()) return;
   const auto order = bisection_order<D>(points);
   const std::size_t total = (points.size() + 7) / 8 * 8;
-  FluidState next;
-  next.volume = volume;
-  const std::size_t spare =
-      total / 256 * 8;  // for those that arrive before the next time, without moving everything
-  next.position.reserve(total + spare);
-  next.filled.reserve(total + spare);
-  next.clusters.reserve((total + spare) / 8);
-  next.position.resize(total);
-  next.filled.assign(total, 1);
-  next.clusters.resize(total / 8);
+  spare.volume = volume;
+  resize_in_large_pages(spare.position, total);
+  spare.filled.assign(total, 1);
+  resize_in_large_pages(spare.clusters, total / 8);
 #pragma omp parallel for schedule(static)
   for (std::size_t k = 0; k < points.size(); ++k) {
     const std::size_t i = place[order[k]];
-    next.position[k] = position[i];
-    copy_lane(clusters[i / 8], i % 8, next.clusters[k / 8], k % 8);
+    spare.position[k] = position[i];
+    copy_lane(clusters[i / 8], i % 8, spare.clusters[k / 8], k % 8);
   }
-  for (std::size_t k = points.size(); k < total; ++k) next.clear(k);
-  *this = std::move(next);
+  for (std::size_t k = points.size(); k < total; ++k) spare.clear(k);
+  std::swap(*this, spare);
 }
 
 template <int D>
@@ -108,7 +103,8 @@ FluidState<D> fluid_at(std::span<const Vec<D>> points, double volume) {
   FluidState<D> state;
   state.volume = volume;
   for (const Vec<D>& x : points) state.insert(x);
-  state.reorder();
+  FluidState<D> spare;
+  state.reorder(spare);
   return state;
 }
 

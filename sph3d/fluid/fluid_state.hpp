@@ -37,8 +37,9 @@ struct FluidState {
   std::size_t insert(const Vec<D>& x);
   void remove(std::size_t i);
 
-  /// Brings the particles into the order of memory that the kernels want and drops the empty places.
-  void reorder();
+  /// Brings the particles into the order of memory that the kernels want and drops the empty places. `spare` is what was used
+  /// the last time, for its memory.
+  void reorder(FluidState& spare);
 
  private:
   void clear(std::size_t i);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/large_pages.hpp"
+
 namespace ostium::sph3d {
 
 namespace {
@@ -61,7 +63,7 @@ bool wider(const Box<D>& box, float limit) {
 template <int D>
 void RowLists<D>::bound(const std::vector<Cluster<D>>& clusters) {
   const std::size_t n = clusters.size();
-  points_.resize(n);
+  resize_in_large_pages(points_, n);
   std::size_t eights = (n + 7) / 8, height = 1;
   for (std::size_t m = eights; m > 1; m = (m + 7) / 8) ++height;
   levels_.resize(height);
@@ -166,7 +168,7 @@ void RowLists<D>::build(const std::vector<Cluster<D>>& clusters) {
       offset.push_back(size);
       const auto& candidates = search.candidates(clusters[c], c);
       const std::size_t most = 8 * candidates.size() + read_ahead;
-      if (list.size() < size + most) list.resize(2 * (size + most));
+      if (list.size() < size + most) resize_in_large_pages(list, 2 * (size + most));
       size += kernels.within_reach(clusters[c], box(c), points_.data(), candidates.data(),
                                    static_cast<std::int32_t>(candidates.size()), list.data() + size);
     }

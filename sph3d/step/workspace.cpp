@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/large_pages.hpp"
 #include "sph3d/step/lane_access.hpp"
 
 namespace ostium::sph3d {
@@ -61,9 +62,9 @@ template <int D>
 void freeze(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
   const std::size_t n = state.places();
   const double scale = 1.0 / model.kernel.reach();
-  work.place.resize(n + 1);
-  work.velocity.resize(n + 1);
-  work.matrix.resize(n + 1);
+  resize_in_large_pages(work.place, n + 1);
+  resize_in_large_pages(work.velocity, n + 1);
+  resize_in_large_pages(work.matrix, n + 1);
   for_clusters(state.clusters.size(), [&](std::size_t c) {
     Cluster<D>& own = state.clusters[c];
     for (int d = 0; d < D; ++d)
@@ -126,7 +127,7 @@ WallSample<D> beyond_face(const Model<D>& model, int k, const Vec<D>& x, const W
 template <int D>
 void look_around(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
   const HalfSpace<D>& space = model.half_space;
-  work.around.resize(state.clusters.size());
+  resize_in_large_pages(work.around, state.clusters.size());
 #pragma omp parallel for schedule(static)
   for (std::size_t c = 0; c < state.clusters.size(); ++c) {
     ClusterSurroundings<D>& around = work.around[c];
@@ -156,7 +157,7 @@ template <int D>
 void kernel_sums(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
   const auto& kernels = fluid_kernels<D>();
   const FluidConstants constants = constants_of(model);
-  work.sums.resize(state.clusters.size());
+  resize_in_large_pages(work.sums, state.clusters.size());
   const auto n = static_cast<std::int64_t>(state.clusters.size());
 #pragma omp parallel for schedule(static)
   for (std::int64_t c = 0; c < n; c += 16)

@@ -36,6 +36,7 @@ struct Workspace {
   std::vector<std::vector<std::int32_t>>
       near_duct;  ///< clusters that may have a particle in its zone this step
   RowLists<D> rows;
+  FluidState<D> spare;  ///< memory for the next ordering
 };
 
 /// Copies the positions into clusters and records (over the reach, from the model's origin), rebuilds the rows and finds

@@ -68,7 +68,8 @@ TEST(FluidState, InsertionRemovalAndOrderKeepWhatAParticleCarries) {
   fluid.remove(0);
   EXPECT_EQ(fluid.count(), 3u);
   for (int k = 0; k < 20; ++k) fluid.insert(Vec2(0.1 * k, 7));
-  fluid.reorder();
+  FluidState<2> spare;
+  fluid.reorder(spare);
   EXPECT_EQ(fluid.count(), 23u);
   EXPECT_EQ(fluid.places() % 8, 0u);
   int found = 0;

@@ -6,6 +6,7 @@
 ///             ns per particle; `plain` is the double-precision reference with stored pairs
 ///   engine    whole advection steps of a vessel with everything they contain, on one thread and two; a particle-step is
 ///             one particle through one acoustic step, its share of the advection step included
+///   shell     a shell's step by law and number of particles, on one thread
 ///
 /// Ratios of these figures are compared with a stored baseline: times on different machines, or beside other work, cannot be.
 #pragma once
@@ -28,6 +29,7 @@ struct Options {
   double length_unit = 1e-2;           // m per unit of that file
   double spacing = 1e-3;               // m, for the engine
   int rounds = 7;
+  bool shell_only = false;
   std::filesystem::path json = {}, baseline = {}, write_baseline = {};
 };
 
@@ -101,6 +103,16 @@ struct EngineResult {
   std::vector<EngineRow> rows;
 };
 
+struct ShellRow {
+  std::string law;
+  std::size_t particles;
+  Timing per_step;  // s per particle
+};
+
+struct ShellResult {
+  std::vector<ShellRow> rows;
+};
+
 struct Results {
   MachineResult machine;
   StepResult step;
@@ -114,6 +126,7 @@ StepResult measure_step(sph3d::Vessel<3>& tube, const Options& options, double r
 WallResult measure_walls(const sph3d::Vessel<3>& tube, double acoustic_per_advection, int rounds);
 KernelResult measure_kernels(const sph3d::Vessel<3>& tube, const Options& options);
 EngineResult measure_engine(const Options& options);
+ShellResult measure_shell(const Options& options);
 
 /// Largest resident size of this process so far, bytes.
 double peak_resident();
@@ -122,6 +135,7 @@ void print(const MachineResult& machine);
 void print(const StepResult& step, const MachineResult& machine);
 void print(const KernelResult& kernels);
 void print(const EngineResult& engine);
+void print(const ShellResult& shell);
 void write_json(const Results& results, const std::filesystem::path& file);
 
 }  // namespace ostium::bench

@@ -27,6 +27,7 @@ Results measure(const Options& o) {
   print(r.step, r.machine);
   print(r.engine = measure_engine(o));
   print(r.kernels = measure_kernels(tube, o));
+  print(measure_shell(o));
   return r;
 }
 
@@ -39,6 +40,7 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--spacing", o.spacing, "particle spacing for the engine, m (0.001)")
       ->check(CLI::PositiveNumber);
   app.add_option("--rounds", o.rounds, "how often each rival is timed (7)")->check(CLI::Range(1, 1000));
+  app.add_flag("--shell", o.shell_only, "the shell only");
   app.add_option("--json", o.json, "write the numbers to this file");
   app.add_option("--baseline", o.baseline, "ratios to compare with (bench/baseline.json)")
       ->check(CLI::ExistingFile);
@@ -52,6 +54,10 @@ int run(int argc, char** argv) {
   add_options(app, o);
   CLI11_PARSE(app, argc, argv);
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // each table as soon as it is known
+  if (o.shell_only) {
+    print(measure_shell(o));
+    return 0;
+  }
   const Results results = measure(o);
   if (!o.json.empty()) write_json(results, o.json);
   if (!o.write_baseline.empty()) write_baseline(ratios_of(results), o.write_baseline);

@@ -1,5 +1,6 @@
 #include "sph3d/step/workspace.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/large_pages.hpp"
@@ -124,6 +125,26 @@ WallSample<D> beyond_face(const Model<D>& model, int k, const Vec<D>& x, const W
           model.half_space.flux(s) * left * model.ducts[k].opening().normal - beyond * wall.flux};
 }
 
+namespace {
+
+/// Whether any particle of a cluster, in local coordinates, may feel the wall.
+template <int D>
+bool feels_wall(const Model<D>& model, const Cluster<D>& cluster) {
+  Vec<D> low, high;
+  for (int d = 0; d < D; ++d) {
+    float least = cluster.x[d][0], most = least;
+    for (int lane = 1; lane < 8; ++lane) {
+      least = std::min(least, cluster.x[d][lane]);
+      most = std::max(most, cluster.x[d][lane]);
+    }
+    if (most > 0.5f * far_away) return true;  // an empty place among them
+    low[d] = model.origin[d] + model.reach() * least, high[d] = model.origin[d] + model.reach() * most;
+  }
+  return model.wall.felt_in(low, high);
+}
+
+}  // namespace
+
 template <int D>
 void look_around(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
   const HalfSpace<D>& space = model.half_space;
@@ -132,9 +153,10 @@ void look_around(const Model<D>& model, FluidState<D>& state, Workspace<D>& work
   for (std::size_t c = 0; c < state.clusters.size(); ++c) {
     ClusterSurroundings<D>& around = work.around[c];
     around = {};
+    const bool felt = feels_wall(model, state.clusters[c]);
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const std::size_t i = 8 * c + lane;
-      const WallSample<D> wall = state.filled[i] ? model.wall(state.position[i]) : WallSample<D>{};
+      const WallSample<D> wall = felt && state.filled[i] ? model.wall(state.position[i]) : WallSample<D>{};
       lane_assign<D>(state.clusters[c].wall, lane, wall.flux);
       if (wall.filling > 0.0) {
         around.filling[lane] = static_cast<float>(wall.filling);

@@ -105,6 +105,27 @@ std::int32_t WallField<D>::block_at(const Index& node) const {
   return block_of_[block];
 }
 
+template <int D>
+bool WallField<D>::felt_in(const Vec<D>& low, const Vec<D>& high) const {
+  constexpr double slack = 1e-3;  // of a cell, for round-off
+  Index first, last, node;
+  for (int d = 0; d < D; ++d) {
+    first[d] = static_cast<int>(std::floor((low[d] - origin_[d]) * nodes_per_length_ - slack)) >> 3;
+    last[d] = static_cast<int>(std::floor((high[d] - origin_[d]) * nodes_per_length_ + slack)) >> 3;
+    if (last[d] - first[d] > 2) return true;  // not worth the search
+  }
+  const int deepest = D == 3 ? last[D - 1] - first[D - 1] : 0;
+  for (int k = 0; k <= deepest; ++k)
+    for (int j = first[1]; j <= last[1]; ++j)
+      for (int i = first[0]; i <= last[0]; ++i) {
+        node[0] = edge * i, node[1] = edge * j;
+        if constexpr (D == 3) node[2] = edge * (first[2] + k);
+        const std::int32_t slot = block_at(node);
+        if (slot == all_wall || (slot >= 0 && felt_slot_[slot])) return true;
+      }
+  return false;
+}
+
 /// Number of a node, and of the cell above it, within its block.
 template <int D>
 int WallField<D>::number_of(const Index& node) {
@@ -201,6 +222,7 @@ template <int D>
 void WallField<D>::find_felt() {
   constexpr std::size_t words = block_size / 64;
   felt_.assign(stored_.size() * words, 0);
+  felt_slot_.assign(stored_.size(), 0);
 #pragma omp parallel for schedule(dynamic, 8)
   for (std::size_t slot = 0; slot < stored_.size(); ++slot) {
     const Index first = first_node(stored_[slot]);
@@ -216,6 +238,7 @@ void WallField<D>::find_felt() {
         }
         const int n = number_of(cell);
         felt_[slot * words + n / 64] |= std::uint64_t(1) << n % 64;
+        felt_slot_[slot] = 1;
       });
     });
   }

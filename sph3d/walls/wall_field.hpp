@@ -41,8 +41,11 @@ class WallField {
             const Wendland<D>& kernel, double dp);
 
   WallSample<D> operator()(const Vec<D>& x) const;
+  /// Whether the wall may be felt anywhere in a box; false is certain.
+  bool felt_in(const Vec<D>& low, const Vec<D>& high) const;
   std::size_t bytes() const {
-    return values_.size() * sizeof(float) + block_of_.size() * sizeof(std::int32_t) + felt_.size() * 8;
+    return values_.size() * sizeof(float) + block_of_.size() * sizeof(std::int32_t) + felt_.size() * 8 +
+           felt_slot_.size();
   }
 
  private:
@@ -69,11 +72,12 @@ class WallField {
 
   double spacing_, nodes_per_length_ = 1.0 / spacing_;
   Vec<D> origin_;
-  Index blocks_{};                      // blocks per direction
-  std::vector<std::int32_t> block_of_;  // storage slot of a block, or all_fluid / all_wall
-  std::vector<std::size_t> stored_;     // block number of a slot
-  std::vector<float> values_;           // while building block by block, then in wide rows
-  std::vector<std::uint64_t> felt_;     // of a slot: the cells with a filling, a bit each, eight words in 3D
+  Index blocks_{};                       // blocks per direction
+  std::vector<std::int32_t> block_of_;   // storage slot of a block, or all_fluid / all_wall
+  std::vector<std::size_t> stored_;      // block number of a slot
+  std::vector<float> values_;            // while building block by block, then in wide rows
+  std::vector<std::uint64_t> felt_;      // of a slot: the cells with a filling, a bit each, eight words in 3D
+  std::vector<std::uint8_t> felt_slot_;  // whether a slot has any such cell
 };
 
 extern template class WallField<2>;

@@ -88,6 +88,37 @@ void plane_wall() {
 TEST(WallField, OfAnObliquePlaneIsTheHalfSpace2d) { plane_wall<2>(); }
 TEST(WallField, OfAnObliquePlaneIsTheHalfSpace3d) { plane_wall<3>(); }
 
+/// Boxes are passed over only where nothing is felt in them, and most of those far from the wall are.
+template <int D>
+void passed_over() {
+  const Wendland<D> kernel{1.3};
+  Vec<D> n = Vec<D>::Ones();
+  n[0] = 0.3;
+  n.normalize();
+  const WallField<D> field([&](const Vec<D>& x) { return x.dot(n); }, Vec<D>::Constant(-12),
+                           Vec<D>::Constant(12), kernel, 1.0);
+  int far = 0, passed = 0;
+  for (int k = 0; k < 2000; ++k) {
+    Vec<D> low, size;
+    for (int d = 0; d < D; ++d)
+      low[d] = -3 + 8 * std::sin(1.7 * k * k + 2.1 * d), size[d] = 1 + std::sin(0.9 * k + d);
+    const Vec<D> high = low + size;
+    const bool felt = field.felt_in(low, high);
+    far += high.dot(n) < -7;  // all of n is positive
+    passed += high.dot(n) < -7 && !felt;
+    if (felt) continue;
+    for (int m = 0; m < 20; ++m) {
+      Vec<D> x = low;
+      for (int d = 0; d < D; ++d) x[d] += size[d] * (0.5 + 0.5 * std::sin(5.3 * m + 1.9 * d));
+      EXPECT_EQ(field(x).filling, 0.0);
+    }
+  }
+  EXPECT_GT(far, 100);
+  EXPECT_GT(passed, 0.9 * far);
+}
+TEST(WallField, BoxesFarFromItArePassedOver2d) { passed_over<2>(); }
+TEST(WallField, BoxesFarFromItArePassedOver3d) { passed_over<3>(); }
+
 /// At the edge of a right angle a quarter or three quarters of the support is wall.
 TEST(WallField, RightAngles) {
   const Wendland<2> kernel{1.3};

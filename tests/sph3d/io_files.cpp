@@ -44,7 +44,7 @@ TEST_F(Files, ParticlesCarryTheirFields) {
   write_particles_vtp<3>(folder / "f.vtp", x, std::vector{field("pressure", p), field<3>("velocity", x)});
   EXPECT_THAT(text("f.vtp"), AllOf(HasSubstr("NumberOfPoints=\"3\""), HasSubstr("Name=\"pressure\""),
                                    HasSubstr("NumberOfComponents=\"3\""), HasSubstr("Float32"),
-                                   HasSubstr("vtkZLibDataCompressor"), HasSubstr("appended")));
+                                   HasSubstr("vtkLZ4DataCompressor"), HasSubstr("appended")));
   EXPECT_EQ(count(), 1) << "nothing unfinished stays behind";
 }
 

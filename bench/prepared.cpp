@@ -34,12 +34,12 @@ void Prepared::corrected_sums(const FluidKernels<3>& kernels, std::int64_t begin
 
 void Prepared::kick(const FluidKernels<3>& kernels, std::int64_t begin, std::int64_t end) {
   kernels.kick(begin, end, fluid.clusters.data(), work.rows.data(), work.place.data(), work.velocity.data(),
-               constants_of(model), still);
+               nullptr, constants_of(model), still);
 }
 
 void Prepared::density(const FluidKernels<3>& kernels, std::int64_t begin, std::int64_t end) {
   kernels.density(begin, end, fluid.clusters.data(), work.rows.data(), work.place.data(),
-                  work.velocity.data(), constants_of(model), still, 1.0f);
+                  work.velocity.data(), nullptr, constants_of(model), still, 1.0f);
 }
 
 void Prepared::show_pressures() {

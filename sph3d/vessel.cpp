@@ -64,6 +64,13 @@ Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::ve
 }
 
 template <int D>
+void Vessel<D>::set_wall(std::unique_ptr<DeformableWall<D>> wall) {
+  wall_ = std::move(wall);
+  state_.wall = wall_->rest();
+  work_.wall_motion = &wall_->motion();
+}
+
+template <int D>
 void Vessel<D>::start_datum(const PressureDatum& datum) {
   state_.datum = datum;
   for (auto& port : state_.ports) {
@@ -103,6 +110,7 @@ template <int D>
 void Vessel<D>::prepare(double dt, double acoustic_dt, PhaseSeconds& seconds) {
   const Stopwatch watch(seconds.advection);
   if (state_.steps % model_->options.reorder_every == 0) state_.fluid.reorder(work_.spare);
+  if (wall_) wall_->attach(state_.wall, state_.fluid);
   prepare_step(*model_, state_.fluid, work_, dt);
   first_pressures(acoustic_dt);
 }
@@ -148,22 +156,28 @@ void Vessel<D>::acoustic_step(double dt, bool last, std::span<const Drive> drive
   const auto& kernels = fluid_kernels<D>();
   const FluidConstants constants = constants_of(*model_);
   auto& clusters = state_.fluid.clusters;
+  const WallVelocity<D>* wall_velocity = wall_ ? wall_->motion().velocity() : nullptr;
   {
     const Stopwatch watch(seconds.acoustic);
     for_batches(clusters.size(), [&](std::size_t begin, std::size_t end) {
       kernels.kick(begin, end, clusters.data(), work_.rows.data(), work_.place.data(), work_.velocity.data(),
-                   constants, static_cast<float>(dt));
+                   wall_velocity, constants, static_cast<float>(dt));
     });
   }
   {
     const Stopwatch watch(seconds.openings);
     drive_ports(*model_, state_, work_, drives, dt, filter_time);
   }
+  if (wall_) wall_->after_kick(*model_, state_.fluid);
   const Stopwatch watch(seconds.acoustic);
   for_batches(clusters.size(), [&](std::size_t begin, std::size_t end) {
     kernels.density(begin, end, clusters.data(), work_.rows.data(), work_.place.data(), work_.velocity.data(),
-                    constants, static_cast<float>(dt), last ? 0.5f : 1.0f);
+                    wall_velocity, constants, static_cast<float>(dt), last ? 0.5f : 1.0f);
   });
+  if (wall_) {
+    wall_->after_density(*model_, state_.fluid);
+    wall_->step(state_.wall, dt, state_.datum.reference);
+  }
   state_.time += dt;
 }
 
@@ -182,13 +196,15 @@ int move_cluster(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>
       way[d][lane] = own.moved[d][lane] - zeta_h2 * work.sums[c].imbalance[d][lane];
       expected[lane] += way[d][lane] * own.wall[d][lane];
     }
+  const WallMotion<D>* motion = work.wall_motion;
   int mirrored = 0;
   for (std::size_t lane = 0; lane < 8; ++lane) {
     if (!fluid.filled[8 * c + lane]) continue;
     Vec<D>& position = fluid.position[8 * c + lane];
     for (int d = 0; d < D; ++d) position[d] += way[d][lane];
-    if (expected[lane] < 0.4f) continue;
-    const WallSample<D> wall = model.wall(position);
+    const Vec<D> with_wall = motion ? motion->moved(8 * c + lane) : Vec<D>(Vec<D>::Zero());
+    if (expected[lane] - with_wall.dot(lane_vector<D>(own.wall, lane)) < 0.4) continue;
+    const WallSample<D> wall = wall_at(model, work, 8 * c + lane, Vec<D>(position - with_wall));
     if (wall.filling < 0.52) continue;
     const double inside = 0.25 * model.options.dp - model.half_space.distance(wall.filling);
     if (wall.flux.norm() > 0.0) position -= inside * wall.flux.normalized();

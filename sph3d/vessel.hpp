@@ -18,6 +18,7 @@
 #include "sph3d/step/phases.hpp"
 #include "sph3d/step/state.hpp"
 #include "sph3d/step/workspace.hpp"
+#include "sph3d/walls/deformable_wall.hpp"
 
 namespace ostium::sph3d {
 
@@ -54,6 +55,10 @@ class Vessel {
   SavedVessel<D> saved() const { return {state_, model_->number_density}; }
   void load(VesselState<D> state) { state_ = std::move(state); }
 
+  /// The wall moves from now on. Before the first step.
+  void set_wall(std::unique_ptr<DeformableWall<D>> wall);
+  const DeformableWall<D>* wall() const { return wall_.get(); }
+
   /// The part of the ports' pressures the fluid does not see; must be set before the first step (see PressureDatum).
   void start_datum(const PressureDatum& datum);
 
@@ -77,6 +82,7 @@ class Vessel {
   StepReport move();
 
   std::unique_ptr<const Model<D>> model_;
+  std::unique_ptr<DeformableWall<D>> wall_;  // null where it is rigid
   VesselState<D> state_;
   Workspace<D> work_;
 };

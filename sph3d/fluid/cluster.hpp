@@ -97,6 +97,12 @@ struct Box {
   float low[D], high[D];
 };
 
+/// Velocity of the wall as the particles of a cluster feel it, m/s.
+template <int D>
+struct alignas(32) WallVelocity {
+  float v[D][8] = {};
+};
+
 /// Constants of a step, the same for all clusters.
 struct FluidConstants {
   float c = 0, c2 = 0;       ///< sound speed, its square                       m/s
@@ -125,13 +131,14 @@ struct FluidKernels {
                          const FluidConstants&);
   /// First half of an acoustic step: pressure forces and the pressure-jump part of the density rate, then the
   /// kick. Reads place (w = kV P) and writes velocity; `moved` receives half a drift before and after the
-  /// kick.
+  /// kick. The wall's velocity is that of every cluster, or null where walls are at rest.
   void (*kick)(std::int64_t begin, std::int64_t end, Cluster<D>*, const Rows*, const PlaceRecord*,
-               VelocityRecord*, const FluidConstants&, float dt);
+               VelocityRecord*, const WallVelocity<D>*, const FluidConstants&, float dt);
   /// Second half: divergence and dissipation, then density and pressure. Reads velocity and writes place.w;
   /// psi advances by `weight` dt (1, or 1/2 at the end of an advection step).
   void (*density)(std::int64_t begin, std::int64_t end, Cluster<D>*, const Rows*, PlaceRecord*,
-                  const VelocityRecord*, const FluidConstants&, float dt, float weight);
+                  const VelocityRecord*, const WallVelocity<D>*, const FluidConstants&, float dt,
+                  float weight);
   /// Points and boxes of clusters; an empty one has low above high.
   void (*bound)(std::int64_t begin, std::int64_t end, const Cluster<D>*, Points<D>*, Boxes<D>*);
   /// Of the boxes in these eights, the indices (8 eight + lane) of those within reach of a box; returns their number.

@@ -10,6 +10,7 @@
 #include "sph3d/fluid/fluid_state.hpp"
 #include "sph3d/openings/port_law.hpp"
 #include "sph3d/openings/pressure_datum.hpp"
+#include "sph3d/walls/deformable_wall_state.hpp"
 
 namespace ostium::sph3d {
 
@@ -42,6 +43,7 @@ struct VesselState {
   PressureDatum datum;
   double time = 0;                             ///< s
   double max_speed = 0, max_acceleration = 0;  ///< of the last step, outside the ducts; m/s, m/s2
+  DeformableWallState<D> wall;                 ///< empty where the wall is rigid
   std::int64_t steps = 0, acoustic_steps = 0;
   std::int64_t mirrored = 0, escaped = 0;  ///< particles put back inside the wall; lost through it
 };

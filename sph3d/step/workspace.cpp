@@ -146,6 +146,11 @@ bool feels_wall(const Model<D>& model, const Cluster<D>& cluster) {
 }  // namespace
 
 template <int D>
+WallSample<D> wall_at(const Model<D>& model, const Workspace<D>& work, std::size_t i, const Vec<D>& x) {
+  return work.wall_motion ? work.wall_motion->sample(model.wall, i, x) : model.wall(x);
+}
+
+template <int D>
 void look_around(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
   const HalfSpace<D>& space = model.half_space;
   resize_in_large_pages(work.around, state.clusters.size());
@@ -153,10 +158,11 @@ void look_around(const Model<D>& model, FluidState<D>& state, Workspace<D>& work
   for (std::size_t c = 0; c < state.clusters.size(); ++c) {
     ClusterSurroundings<D>& around = work.around[c];
     around = {};
-    const bool felt = feels_wall(model, state.clusters[c]);
+    const bool felt = work.wall_motion || feels_wall(model, state.clusters[c]);
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const std::size_t i = 8 * c + lane;
-      const WallSample<D> wall = felt && state.filled[i] ? model.wall(state.position[i]) : WallSample<D>{};
+      const WallSample<D> wall =
+          felt && state.filled[i] ? wall_at(model, work, i, state.position[i]) : WallSample<D>{};
       lane_assign<D>(state.clusters[c].wall, lane, wall.flux);
       if (wall.filling > 0.0) {
         around.filling[lane] = static_cast<float>(wall.filling);
@@ -187,12 +193,13 @@ void kernel_sums(const Model<D>& model, FluidState<D>& state, Workspace<D>& work
                  work.place.data(), constants);
 }
 
-#define OSTIUM_INSTANTIATE(D)                                                                    \
-  template FluidConstants constants_of(const Model<D>&);                                         \
-  template void freeze(const Model<D>&, FluidState<D>&, Workspace<D>&);                          \
-  template void find_zones(const Model<D>&, const FluidState<D>&, Workspace<D>&);                \
-  template WallSample<D> beyond_face(const Model<D>&, int, const Vec<D>&, const WallSample<D>&); \
-  template void look_around(const Model<D>&, FluidState<D>&, Workspace<D>&);                     \
+#define OSTIUM_INSTANTIATE(D)                                                                       \
+  template FluidConstants constants_of(const Model<D>&);                                            \
+  template void freeze(const Model<D>&, FluidState<D>&, Workspace<D>&);                             \
+  template void find_zones(const Model<D>&, const FluidState<D>&, Workspace<D>&);                   \
+  template WallSample<D> beyond_face(const Model<D>&, int, const Vec<D>&, const WallSample<D>&);    \
+  template WallSample<D> wall_at(const Model<D>&, const Workspace<D>&, std::size_t, const Vec<D>&); \
+  template void look_around(const Model<D>&, FluidState<D>&, Workspace<D>&);                        \
   template void kernel_sums(const Model<D>&, FluidState<D>&, Workspace<D>&);
 OSTIUM_INSTANTIATE(2)
 OSTIUM_INSTANTIATE(3)

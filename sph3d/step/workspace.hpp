@@ -7,6 +7,7 @@
 #include "sph3d/fluid/fluid_state.hpp"
 #include "sph3d/neighbours/row_lists.hpp"
 #include "sph3d/step/model.hpp"
+#include "sph3d/walls/wall_motion.hpp"
 
 namespace ostium::sph3d {
 
@@ -36,7 +37,8 @@ struct Workspace {
   std::vector<std::vector<std::int32_t>>
       near_duct;  ///< clusters that may have a particle in its zone this step
   RowLists<D> rows;
-  FluidState<D> spare;  ///< memory for the next ordering
+  FluidState<D> spare;                         ///< memory for the next ordering
+  const WallMotion<D>* wall_motion = nullptr;  ///< where the wall moves
 };
 
 /// Copies the positions into clusters and records (over the reach, from the model's origin), rebuilds the rows and finds
@@ -52,6 +54,10 @@ void find_zones(const Model<D>& model, const FluidState<D>& state, Workspace<D>&
 /// Its flux is the exact gradient, so that filling and flux agree at the rim.
 template <int D>
 WallSample<D> beyond_face(const Model<D>& model, int k, const Vec<D>& x, const WallSample<D>& wall);
+
+/// Filling by the wall for the particle in place i, at x when the step began.
+template <int D>
+WallSample<D> wall_at(const Model<D>& model, const Workspace<D>& work, std::size_t i, const Vec<D>& x);
 
 /// Filling by walls and by the outside of the openings, for every particle.
 template <int D>

@@ -121,7 +121,7 @@ void compare(const char* isa) {
     p.work.place[i].w = constants.kV * p.fluid.psi(i) * constants.c2;
   const auto before = reference.particles;
   fluid_kernels<D>().kick(0, n, p.fluid.clusters.data(), p.work.rows.data(), p.work.place.data(),
-                          p.work.velocity.data(), constants, dt);
+                          p.work.velocity.data(), nullptr, constants, dt);
   reference.kick(dt);
   all([&](std::size_t i, std::size_t c, std::size_t lane, const auto& r) {
     for (int d = 0; d < D; ++d)
@@ -129,7 +129,7 @@ void compare(const char* isa) {
     rate.add(p.fluid.clusters[c].rate[lane] - r.rate, r.rate);
   });
   fluid_kernels<D>().density(0, n, p.fluid.clusters.data(), p.work.rows.data(), p.work.place.data(),
-                             p.work.velocity.data(), constants, dt, 1.0f);
+                             p.work.velocity.data(), nullptr, constants, dt, 1.0f);
   reference.density(dt, 1.0);
   all([&](std::size_t i, std::size_t c, std::size_t lane, const auto& r) {
     psi.add(p.fluid.psi(i) - r.psi, r.psi - before[i].psi);
@@ -208,10 +208,10 @@ void compare_whole_step(const Lumen<D>& lumen, std::size_t least_particles) {
     for (std::size_t i = 0; i < places; ++i) engine_before[i] = p.fluid.velocity(i);
     const float weight = k == acoustic_steps ? 0.5f : 1.0f;
     kernels.kick(0, n, p.fluid.clusters.data(), p.work.rows.data(), p.work.place.data(),
-                 p.work.velocity.data(), constants, dt);
+                 p.work.velocity.data(), nullptr, constants, dt);
     reference.kick(dt);
     kernels.density(0, n, p.fluid.clusters.data(), p.work.rows.data(), p.work.place.data(),
-                    p.work.velocity.data(), constants, dt, weight);
+                    p.work.velocity.data(), nullptr, constants, dt, weight);
     reference.density(dt, weight);
     for (std::size_t i = 0; i < places; ++i) {
       if (!p.fluid.filled[i]) continue;

@@ -1,0 +1,62 @@
+/// A vessel's wall as a shell in the blood's stream: what the blood does to it, and how it moves in answer.
+///
+///   after the kick      F_i = m (2 P_i B_i grad S + f_i (v_i - v_w))        pressure and friction, onto the wall
+///   after the density   F_i += m min(3 u, c) u grad S,  u = 2 max(0, (v_i - v_w).n)    impact, felt in the next kick
+///   then                the shell steps to the end of the acoustic step under F_a = sum_i w_ia F_i and the pressure
+///                       p_ref - p_out, and its wall points have moved with v_w = (x_end - x_start) / dt
+///
+///   symbol    meaning                                                                  unit
+///   p_ref     part of the blood's pressure that the fluid does not carry (PressureDatum)   Pa
+///   p_out     pressure of the tissue around the vessel, where the shell has no stress      Pa
+///   contact   point on the surface that the blood touches: r - d n, with the shell's pseudo-normal n   m
+///
+/// Every force on the wall is the opposite of one on the fluid. Source: docs/theory/walls.md, "Walls that move". Not
+/// checked: rho_0 c dt against rho_s t of the wall (see numerics of explicit exchange there).
+#pragma once
+#include <vector>
+
+#include "sph3d/shell/stable_step.hpp"
+#include "sph3d/shell/step.hpp"
+#include "sph3d/step/model.hpp"
+#include "sph3d/walls/deformable_wall_state.hpp"
+#include "sph3d/walls/wall_motion.hpp"
+
+namespace ostium::sph3d {
+
+template <int D>
+class DeformableWall {
+ public:
+  /// `contact` of every particle of the cloud, in the reference; reach of the fluid's kernel; p_out.
+  DeformableWall(const ShellCloud<D>& cloud, std::vector<Vec<D>> contact, const ShellOptions& options,
+                 double reach, double outside_pressure);
+
+  DeformableWallState<D> rest() const;
+
+  /// Where the blood's particles are now: once per advection step.
+  void attach(const DeformableWallState<D>& state, const FluidState<D>& fluid);
+  void after_kick(const Model<D>& model, const FluidState<D>& fluid);
+  void after_density(const Model<D>& model, const FluidState<D>& fluid);
+  void step(DeformableWallState<D>& state, double dt, double reference_pressure);
+
+  const WallMotion<D>& motion() const { return motion_; }
+  const ShellModel<D>& shell() const { return model_; }
+  /// Force of the blood on each wall point in the last acoustic step, N, without that of the reference pressure.
+  const std::vector<Vec<D>>& forces() const { return force_; }
+  std::vector<Vec<D>> contacts(const ShellState<D>& shell) const;
+  std::vector<Vec<D>> normals(const ShellState<D>& shell) const;
+
+ private:
+  ShellModel<D> model_;
+  std::vector<double> depth_;  // of the mid-surface behind the contact point
+  double outside_pressure_, longest_step_;
+  WallMotion<D> motion_;
+  ShellWorkspace<D> work_;
+  std::vector<ShellLoad<D>> load_;
+  std::vector<Vec<D>> on_wall_;  // F_i of each place
+  std::vector<Vec<D>> force_;
+};
+
+extern template class DeformableWall<2>;
+extern template class DeformableWall<3>;
+
+}  // namespace ostium::sph3d

@@ -1,0 +1,15 @@
+/// A moving wall as plain data.
+#pragma once
+#include <vector>
+
+#include "sph3d/shell/state.hpp"
+
+namespace ostium::sph3d {
+
+template <int D>
+struct DeformableWallState {
+  ShellState<D> shell;
+  std::vector<Vec<D>> velocity;  ///< of the contact points during the last acoustic step, m/s
+};
+
+}  // namespace ostium::sph3d

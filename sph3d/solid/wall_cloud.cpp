@@ -7,6 +7,7 @@
 #include "sph3d/geometry/point_grid.hpp"
 #include "sph3d/geometry/sample.hpp"
 #include "sph3d/geometry/signed_distance.hpp"
+#include "sph3d/geometry/stretches.hpp"
 #include "sph3d/neighbours/order.hpp"
 
 namespace ostium::sph3d {
@@ -36,39 +37,8 @@ Surface<D> wall_of(const Lumen<D>& lumen) {
   return wall;
 }
 
-/// Evenly along each stretch of wall from one opening to the next, whatever the length of its segments.
 std::vector<WallPoint<2>> spread(const Lumen<2>& lumen, double spacing) {
-  const auto& s = lumen.surface;
-  const int n = static_cast<int>(s.facets.size());
-  std::vector<int> next(s.points.size(), -1), first;
-  std::vector<bool> reached(s.points.size(), false);
-  for (int f = 0; f < n; ++f)
-    if (s.label[f] < 0) next[s.facets[f][0]] = f, reached[s.facets[f][1]] = true;
-  for (int f = 0; f < n; ++f)
-    if (s.label[f] < 0 && !reached[s.facets[f][0]]) first.push_back(f);
-  if (first.empty())  // a closed wall: anywhere
-    for (int f = 0; f < n && first.empty(); ++f)
-      if (s.label[f] < 0) first.push_back(f);
-  std::vector<WallPoint<2>> points;
-  for (const int start : first) {
-    std::vector<int> stretch;
-    double length = 0;
-    for (int f = start; f >= 0; f = next[s.facets[f][1]]) {
-      stretch.push_back(f), length += area_vector(s, f).norm();
-      if (next[s.facets[f][1]] == start) break;
-    }
-    const int count = std::max(1, static_cast<int>(std::lround(length / spacing)));
-    double passed = 0;
-    int k = 0;
-    for (const int f : stretch) {
-      const Vec2 a = s.points[s.facets[f][0]], along = s.points[s.facets[f][1]] - a;
-      for (; k < count && (k + 0.5) * length / count <= passed + along.norm(); ++k)
-        points.push_back({a + along.normalized() * ((k + 0.5) * length / count - passed),
-                          area_vector(s, f).normalized(), length / count});
-      passed += along.norm();
-    }
-  }
-  return points;
+  return spread_evenly(lumen.surface, spacing);
 }
 
 std::vector<WallPoint<3>> spread(const Lumen<3>& lumen, double spacing) {

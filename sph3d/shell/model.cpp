@@ -30,6 +30,11 @@ void find_neighbours(ShellModel<D>& model) {
 }
 
 template <int D>
+bool clamped(const ShellCloud<D>& cloud, std::size_t a) {
+  return !cloud.support.empty() && cloud.support[a] == Support::clamped;
+}
+
+template <int D>
 void weigh(ShellModel<D>& model, const std::vector<Frame<D>>& frame) {
   const auto& cloud = model.cloud;
   model.forward.resize(model.neighbour.size());
@@ -39,7 +44,8 @@ void weigh(ShellModel<D>& model, const std::vector<Frame<D>>& frame) {
     std::vector<TangentPoint<D>> around;
     for (auto b : model.neighbours(a)) {
       const Vec<D> apart = cloud.position[b] - cloud.position[a];
-      around.push_back({frame[a] * apart, apart.norm(), cloud.area[b]});
+      around.push_back({frame[a] * apart, apart.norm(), cloud.area[b],
+                        clamped(cloud, a) || clamped(cloud, std::size_t(b))});
     }
     exact[a] = pair_weights<D>(around, model.kernel, model.least_moment, &model.forward[model.row_begin[a]]);
   }
@@ -137,7 +143,8 @@ void describe_wall(const ShellModel<D>& model, const Frame<D>& e, std::size_t a,
   r.viscosity[2][lane] = t * (std::min(h, t) * slow + 2.0 * o.viscosity) * 5.0 / 12.0;
   r.spring[lane] = o.spring * cloud.area[a], r.dashpot[lane] = o.dashpot * cloud.area[a];
   r.face[lane] = 0.5 * o.face * t;
-  const Keep keep = keep_of(cloud.support.empty() ? Support::free : cloud.support[a]);
+  const Support support = cloud.support.empty() ? Support::free : cloud.support[a];
+  const Keep keep = keep_of(support);
   r.keep[0][lane] = keep.velocity, r.keep_axis[0][lane] = keep.along_axis;
   r.keep[1][lane] = keep.turning, r.keep_axis[1][lane] = keep.leaning;
   if (!cloud.axis.empty()) put<D>(r.axis, lane, cloud.axis[a]);

@@ -36,14 +36,16 @@ void hourglass_weights(const std::vector<TangentPoint<D>>& around, double reach,
   Eigen::MatrixXd fit(n, terms);
   Eigen::VectorXd root(n);
   for (Eigen::Index b = 0; b < n; ++b) {
-    root[b] = std::sqrt(std::max(1.0 - around[b].distance / reach, 0.0));
+    const double hat = around[b].beyond_clamp ? 0.0 : 1.0 - around[b].distance / reach;
+    root[b] = std::sqrt(std::max(hat, 0.0));
     const auto phi = monomials<D>(around[b].xi, reach);
     for (int k = 0; k < terms; ++k) fit(b, k) = root[b] * phi[k];
   }
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(fit);
   solver.setThreshold(1e-8);
   const Eigen::VectorXd rest = root - fit * solver.solve(root);
-  for (Eigen::Index b = 0; b < n; ++b) out[b].hourglass = float(root[b] * rest[b] / root.squaredNorm());
+  const double all = std::max(root.squaredNorm(), 1e-300);
+  for (Eigen::Index b = 0; b < n; ++b) out[b].hourglass = float(root[b] * rest[b] / all);
 }
 
 }  // namespace

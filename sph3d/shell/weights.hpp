@@ -18,6 +18,7 @@ template <int D>
 struct TangentPoint {
   Eigen::Matrix<double, D - 1, 1> xi;  ///< m
   double distance, area;               ///< the chord, m; m^(D-1)
+  bool beyond_clamp = false;           ///< on the other side of a clamp: no part of the hourglass weights
 };
 
 /// False where the moment matrix had to be guarded.

@@ -67,7 +67,7 @@ std::string describe(const Soup& soup, const Rim& rim) {
 }
 
 Polygon seen_along_normal(const Soup& soup, const Rim& rim) {
-  const auto t = tangent_frame<3>(rim.area_vector.normalized());
+  const auto t = plane_frame<3>(rim.area_vector.normalized());
   Polygon flat;
   for (int v : rim.loop) flat.push_back(t.transpose() * (soup.points[v] - rim.centre));
   return flat;

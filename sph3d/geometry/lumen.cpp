@@ -6,12 +6,12 @@
 
 namespace ostium::sph3d {
 template <>
-Eigen::Matrix<double, 2, 1> tangent_frame<2>(const Vec2& normal) {
+Eigen::Matrix<double, 2, 1> plane_frame<2>(const Vec2& normal) {
   return Vec2(normal.y(), -normal.x());
 }
 
 template <>
-Eigen::Matrix<double, 3, 2> tangent_frame<3>(const Vec3& normal) {
+Eigen::Matrix<double, 3, 2> plane_frame<3>(const Vec3& normal) {
   int axis;
   normal.cwiseAbs().minCoeff(&axis);
   Eigen::Matrix<double, 3, 2> t;
@@ -24,7 +24,7 @@ namespace {
 
 /// The outline in the frame of the tangents, relative to the centre.
 Polygon flat_outline(const Opening<3>& opening) {
-  const auto t = tangent_frame(opening.normal);
+  const auto t = plane_frame(opening.normal);
   Polygon flat;
   for (const auto& x : opening.outline) flat.push_back(t.transpose() * (x - opening.centre));
   return flat;

@@ -58,6 +58,6 @@ double length_between_openings(const Lumen<D>& lumen);
 
 /// Two unit tangents that make (tangent 0, tangent 1, normal) a right-handed frame (2D: the first one only).
 template <int D>
-Eigen::Matrix<double, D, D - 1> tangent_frame(const Vec<D>& normal);
+Eigen::Matrix<double, D, D - 1> plane_frame(const Vec<D>& normal);
 
 }  // namespace ostium::sph3d

@@ -65,7 +65,7 @@ void add_arrow(vtkRenderer& renderer, const Lumen<3>& lumen, int k) {
   vtkNew<vtkArrowSource> arrow;
   arrow->SetTipLength(0.38), arrow->SetTipRadius(0.13), arrow->SetShaftRadius(0.045);
   arrow->SetTipResolution(32), arrow->SetShaftResolution(24);
-  const auto t = tangent_frame(o.normal);
+  const auto t = plane_frame(o.normal);
   vtkNew<vtkMatrix4x4> pose;  // the arrow lies along x
   for (int d = 0; d < 3; ++d) {
     pose->SetElement(d, 0, length * o.normal[d]);

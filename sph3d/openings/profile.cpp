@@ -85,7 +85,7 @@ DevelopedFlow solve(const Opening<3>& opening, const Eigen::Matrix<double, 3, 2>
 
 template <int D>
 FlowShape<D>::FlowShape(Profile profile, const Opening<D>& opening)
-    : profile_(profile), centre_(opening.centre), frame_(tangent_frame(opening.normal)) {
+    : profile_(profile), centre_(opening.centre), frame_(plane_frame(opening.normal)) {
   if constexpr (D == 2) {
     half_width_ = 0.5 * opening.area;
   } else if (profile == Profile::parabolic) {

@@ -87,7 +87,7 @@ std::vector<Vec2> deepest(const SignedDistance<2>& phi, const Vec2& lower, const
 
 template <>
 Slice<3> slice_of<3>(const Opening<3>& opening, double dp) {
-  const auto frame = tangent_frame(opening.normal);
+  const auto frame = plane_frame(opening.normal);
   const Surface<2> outline = flat_outline(opening, frame);
   const SignedDistance<2> phi(outline);
   Vec2 lower = outline.points.front(), upper = lower;

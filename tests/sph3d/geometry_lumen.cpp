@@ -71,7 +71,7 @@ TEST(Lumen, WidthIsTheLargestCircle) {
 
 TEST(Lumen, TangentsAreRightHanded) {
   for (Vec3 n : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0.6, 0, -0.8), Vec3(1, 2, 3).normalized()}) {
-    const auto t = tangent_frame(n);
+    const auto t = plane_frame(n);
     EXPECT_LT((Vec3(t.col(0)).cross(Vec3(t.col(1))) - n).norm(), 1e-15);
   }
 }

@@ -62,7 +62,8 @@ TEST(ShellGenerate, CylinderIsEvenAndTwoSurfacesAreApart) {
 // What smoothing leaves of the kinks between the facets of a polygon, and of a cylinder without visible facets.
 TEST(ShellGenerate, NormalsOfACylinder) {
   Carotid carotid{.length = 6e-3, .around = 96};
-  EXPECT_LT(worst_normal(shell_of(carotid.lumen(), carotid.options(WallEnds::free))), 0.35 * 360 / 96);
+  // the normal of a facet itself is off by up to half the angle between two of them
+  EXPECT_LT(worst_normal(shell_of(carotid.lumen(), carotid.options(WallEnds::free))), 0.5 * 360 / 96);
   carotid.around = 384;
   EXPECT_LT(worst_normal(shell_of(carotid.lumen(), carotid.options(WallEnds::free))), 0.5);
 }

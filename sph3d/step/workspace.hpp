@@ -17,9 +17,9 @@ struct Zone {
   struct Member {
     std::int32_t index;
     float depth;
-    float
-        drive;  ///< pressure-driven: 2 n.B grad(open filling) as the particles see it, what a unit of pressure does, 1/m;
-                ///< flow-driven: velocity over Q/A, scaled so that the particles of the duct carry exactly Q
+    /// Pressure-driven: 2 n.B grad(open filling) as the particles see it, what a unit of pressure does, 1/m.
+    /// Flow-driven: velocity over Q/A, scaled so that the particles of the duct carry exactly Q.
+    float drive;
   };
   std::vector<Member> members;
   std::vector<std::int32_t> before_cap;  ///< particles of the vessel next to the cap
@@ -34,8 +34,8 @@ struct Workspace {
   std::vector<ClusterSurroundings<D>> around;
   std::vector<std::int8_t> duct_of;  ///< of each place; negative outside the ducts
   std::vector<Zone<D>> zones;        ///< one per duct
-  std::vector<std::vector<std::int32_t>>
-      near_duct;  ///< clusters that may have a particle in its zone this step
+  /// Of each duct: clusters that may have a particle in its zone this step.
+  std::vector<std::vector<std::int32_t>> near_duct;
   RowLists<D> rows;
   FluidState<D> spare;                         ///< memory for the next ordering
   const WallMotion<D>* wall_motion = nullptr;  ///< where the wall moves

@@ -73,8 +73,8 @@ class WallMotion {
   void transpose();
 
   std::vector<Vec<D>> reference_, reference_normal_;
-  double spacing_, reach_,
-      felt_ = 0;  // felt_: reach and the largest displacement, so that who has lost the wall knows
+  double spacing_, reach_;
+  double felt_ = 0;  // reach and the largest displacement, so that who has lost the wall knows
   std::vector<Pose> pose_;
   std::vector<List> lists_;  // of each place
   std::vector<std::vector<Entry>> storage_;

@@ -94,8 +94,8 @@ void measure_steps(Vessel<D>& vessel, Calibration& result) {
     if (k < warm_up) continue;
     const auto& s = step.seconds;
     const double n = static_cast<double>(step.particles);
-    result.acoustic = std::min(result.acoustic, s.acoustic / (n * step.acoustic_steps));
-    result.advection = std::min(result.advection, (s.advection + s.openings) / n);
+    result.acoustic = std::min(result.acoustic, (s.acoustic + s.driving) / (n * step.acoustic_steps));
+    result.advection = std::min(result.advection, (s.advection + s.walls + s.renewal) / n);
   }
 }
 

@@ -34,7 +34,7 @@ Ratios ratios_of(const Results& r) {
       done = row.what;
     }
   ratios.all.push_back({.name = "advection step over acoustic step",
-                        .value = r.step.advection() / r.step.acoustic(),
+                        .value = r.step.advection_over_acoustic,
                         .larger_is_better = false});
   const auto& rows = r.engine.rows;
   if (rows.size() > 1)

@@ -70,13 +70,15 @@ struct WallResult {
 struct StepResult {
   std::size_t particles = 0;
   double row_length = 0, acoustic_per_advection = 0;
-  Timing kick = {}, density = {};
-  std::vector<Part> parts = {};
+  Timing kick = {}, density = {}, driving = {};  // driving of the ports, in each acoustic step
+  std::vector<Part> parts = {};                  // of the advection step, each on its own
+  /// As they are in a run of the vessel, s per particle; the advection step's acoustic steps apart.
+  Timing acoustic_in_run = {}, advection_in_run = {};
+  double advection_over_acoustic = 0;        // median of the rounds' ratios
   double resident = 0, resident_before = 0;  // bytes: largest so far, and before the vessel was made
   WallResult walls = {};
 
-  double acoustic() const { return kick.median + density.median; }
-  double advection() const;  // s per particle, its acoustic steps apart
+  double acoustic() const { return kick.median + driving.median + density.median; }
 };
 
 struct KernelRow {

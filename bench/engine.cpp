@@ -23,7 +23,8 @@ Sample sample(Vessel<3>& vessel, const std::vector<Drive>& drives, int steps) {
   });
   FluidState<3> fluid = vessel.state().fluid;
   static Workspace<3> work;  // its memory is kept, as the vessel's own
-  const double once = seconds_of([&] { prepare_step(vessel.model(), fluid, work, 1e-4); });
+  PhaseSeconds seconds;
+  const double once = seconds_of([&] { prepare_step(vessel.model(), fluid, work, 1e-4, still, seconds); });
   return {total / particle_steps, once * steps / total};
 }
 

@@ -14,7 +14,8 @@ Prepared::Prepared(const Vessel<3>& vessel) : model(vessel.model()), fluid(vesse
     fluid.velocity(i, Vec3(std::sin(900 * x[0]), std::sin(700 * x[1]), std::cos(800 * x[2])));
     fluid.psi(i) += static_cast<float>(2e-3 * std::cos(1200 * x.sum()));
   }
-  prepare_step(model, fluid, work, 1e-4);
+  PhaseSeconds seconds;
+  prepare_step(model, fluid, work, 1e-4, still, seconds);
 }
 
 void Prepared::sums(const FluidKernels<3>& kernels, std::int64_t begin, std::int64_t end) {
@@ -24,7 +25,7 @@ void Prepared::sums(const FluidKernels<3>& kernels, std::int64_t begin, std::int
 
 void Prepared::corrections(const FluidKernels<3>& kernels, std::int64_t begin, std::int64_t end) {
   kernels.corrections(begin, end, fluid.clusters.data(), work.sums.data(), work.around.data(),
-                      work.matrix.data(), constants_of(model));
+                      work.matrix.data(), work.place.data(), constants_of(model), still);
 }
 
 void Prepared::corrected_sums(const FluidKernels<3>& kernels, std::int64_t begin, std::int64_t end) {

@@ -25,8 +25,10 @@ void print_acoustic(const StepResult& s, const MachineResult& m) {
   const double rate = 1 / s.acoustic();
   fmt::print("{:<28} {:9.1f} {:9.1f}\n", "acoustic step: kick", ns(s.kick.median), ns(s.kick.best));
   fmt::print("{:<28} {:9.1f} {:9.1f}\n", "               density", ns(s.density.median), ns(s.density.best));
+  fmt::print("{:<28} {:9.1f} {:9.1f}\n", "               drive ports", ns(s.driving.median),
+             ns(s.driving.best));
   fmt::print("{:<28} {:9.1f} {:9.1f}   {:.2f} Mps/s per core\n", "               together", ns(s.acoustic()),
-             ns(s.kick.best + s.density.best), 1e-6 * rate);
+             ns(s.kick.best + s.driving.best + s.density.best), 1e-6 * rate);
   fmt::print(
       "  {:.0f} flop and {:.0f} bytes per particle-step (counted): {:.1f} Gflop/s, {:.0f} % of peak; {:.2f} "
       "GB/s, "
@@ -42,9 +44,11 @@ void print_advection(const StepResult& s) {
                part.share < 1
                    ? fmt::format("   {:.0f} every {:.0f} steps", ns(part.time.median), 1 / part.share)
                    : "");
-  fmt::print("{:<28} {:9.1f}             {:.2f} acoustic steps; there are {:.1f} of them in one\n",
-             "                together", ns(s.advection()), s.advection() / s.acoustic(),
-             s.acoustic_per_advection);
+  fmt::print("{:<28} {:9.1f} {:9.1f}\n", "in a run: acoustic step", ns(s.acoustic_in_run.median),
+             ns(s.acoustic_in_run.best));
+  fmt::print("{:<28} {:9.1f} {:9.1f}   {:.2f} acoustic steps; there are {:.1f} of them in one\n",
+             "          advection step", ns(s.advection_in_run.median), ns(s.advection_in_run.best),
+             s.advection_over_acoustic, s.acoustic_per_advection);
 }
 
 void print(const WallResult& w) {

@@ -9,21 +9,34 @@ using namespace sph3d;
 
 namespace {
 
-/// Whole steps of the vessel, one order of memory long, and which share of their wall time each phase had.
+Timing per(const Timing& t, double n) { return {t.median / n, t.best / n}; }
+
+/// Whole steps of the vessel, one order of memory long; of each round, the wall time of the phases per step.
 struct WholeSteps {
   Vessel<3>& vessel;
   std::vector<Drive> drives = drives_of(vessel);
-  double advection_steps = 0, acoustic_steps = 0, total = 0;
-  PhaseSeconds phases = {};
+  double advection_steps = 0, acoustic_steps = 0;
+  std::vector<double> acoustic = {}, driving = {}, advection = {}, renewal = {}, ratio = {};
 
   void operator()() {
-    total += seconds_of([&] {
-      for (int k = 0; k < vessel.model().options.reorder_every; ++k, ++advection_steps) {
-        const StepReport report = vessel.advance(1.0, drives, 0.01);
-        acoustic_steps += report.acoustic_steps;
-        phases += report.seconds;
-      }
-    });
+    PhaseSeconds phases;
+    double acoustic_now = 0;
+    const int steps = vessel.model().options.reorder_every;
+    for (int k = 0; k < steps; ++k) {
+      const StepReport report = vessel.advance(1.0, drives, 0.01);
+      acoustic_now += report.acoustic_steps;
+      phases += report.seconds;
+    }
+    advection_steps += steps, acoustic_steps += acoustic_now;
+    driving.push_back(phases.driving / acoustic_now);
+    acoustic.push_back((phases.acoustic + phases.driving) / acoustic_now);
+    renewal.push_back(phases.renewal / steps);
+    advection.push_back((phases.advection + phases.walls + phases.renewal) / steps);
+    ratio.push_back(advection.back() / acoustic.back());
+  }
+  /// Median per particle of the rounds after the first.
+  static Timing of(const std::vector<double>& rounds, double particles) {
+    return per(timing_of({rounds.begin() + 1, rounds.end()}), particles);
   }
 };
 
@@ -40,30 +53,11 @@ std::vector<Rival> parts_of(Prepared& p) {
           {"zones", [&] { find_zones(p.model, p.fluid, p.work); }},
           {"look around", [&] { look_around(p.model, p.fluid, p.work); }},
           {"kernel sums", [&] { kernel_sums(p.model, p.fluid, p.work); }},
-          {"corrections", [&] { correct(p.model, p.fluid, p.work, 1e-4); }},
+          {"corrections", [&] { correct(p.model, p.fluid, p.work, 1e-4, still); }},
           {"corrected sums", [&] { prepare_forces(p.model, p.fluid, p.work); }}};
 }
 
-Timing per(const Timing& t, double n) { return {t.median / n, t.best / n}; }
-
-/// What a whole step (s per particle) takes beyond the parts measured on their own, by the phases' shares of it.
-void add_others(const WholeSteps& whole, double step, StepResult& result) {
-  const auto share = [&](double phase) { return step * phase / whole.total; };
-  const auto add = [&](const char* name, double s) { result.parts.push_back({name, {s, s}}); };
-  const double advection = share(whole.phases.advection) - result.advection();
-  const auto& p = whole.phases;
-  add("move, first pressures", advection);
-  add("ports", share(p.openings));
-  add("report", share(whole.total - p.advection - p.acoustic - p.openings));
-}
-
 }  // namespace
-
-double StepResult::advection() const {
-  double sum = 0;
-  for (const auto& part : parts) sum += part.mean();
-  return sum;
-}
 
 StepResult measure_step(Vessel<3>& tube, const Options& options, double resident_before) {
   StepResult result{.particles = tube.state().fluid.count(),
@@ -88,7 +82,11 @@ StepResult measure_step(Vessel<3>& tube, const Options& options, double resident
   result.kick = per(times[parts.size()], n);
   result.density = per(times[parts.size() + 1], n);
   result.acoustic_per_advection = whole.acoustic_steps / whole.advection_steps;
-  add_others(whole, times.back().median / n / tube.model().options.reorder_every, result);
+  result.driving = WholeSteps::of(whole.driving, n);
+  result.parts.push_back({"renew ports", WholeSteps::of(whole.renewal, n)});
+  result.acoustic_in_run = WholeSteps::of(whole.acoustic, n);
+  result.advection_in_run = WholeSteps::of(whole.advection, n);
+  result.advection_over_acoustic = WholeSteps::of(whole.ratio, 1).median;
   result.row_length = p.work.rows.mean_length();
   result.walls = measure_walls(tube, result.acoustic_per_advection, options.rounds);
   omp_set_num_threads(threads);

@@ -88,6 +88,7 @@ WallResult measure_walls(const Vessel<3>& tube, double acoustic_per_advection, i
     (is_near ? near : inner).add(p, c);
     if (is_near) near_clusters.push_back(c);
   }
+  for (Group* part : {&near, &inner}) freeze(p.model, part->extract.fluid, part->extract.work);
   const auto over = [&](Group& part, Kernel kernel) {
     return [&p, &part, kernel] {
       for (const auto& [begin, end] : part.stretches) (p.*kernel)(fluid_kernels<3>(), begin, end);

@@ -92,7 +92,7 @@ StepReport Vessel<D>::advance(double dt_limit, std::span<const Drive> drives, do
     done = move();
   }
   {
-    const Stopwatch watch(seconds.openings);
+    const Stopwatch watch(seconds.renewal);
     renew_ports(*model_, state_, work_);
   }
   ++state_.steps;
@@ -108,11 +108,15 @@ StepReport Vessel<D>::advance(double dt_limit, std::span<const Drive> drives, do
 /// What is done once per advection step, with the positions it starts from.
 template <int D>
 void Vessel<D>::prepare(double dt, double acoustic_dt, PhaseSeconds& seconds) {
-  const Stopwatch watch(seconds.advection);
-  if (state_.steps % model_->options.reorder_every == 0) state_.fluid.reorder(work_.spare);
-  if (wall_) wall_->attach(state_.wall, state_.fluid);
-  prepare_step(*model_, state_.fluid, work_, dt);
-  first_pressures(acoustic_dt);
+  if (state_.steps % model_->options.reorder_every == 0) {
+    const Stopwatch watch(seconds.advection);
+    state_.fluid.reorder(work_.spare);
+  }
+  if (wall_) {
+    const Stopwatch watch(seconds.walls);
+    wall_->attach(state_.wall, state_.fluid);
+  }
+  prepare_step(*model_, state_.fluid, work_, dt, acoustic_dt, seconds);
 }
 
 template <int D>
@@ -137,19 +141,6 @@ std::pair<double, StepBound> Vessel<D>::time_step(double dt_limit) const {
   return {dt, most < advection ? acoustic : bound};
 }
 
-/// The density half step left over by the last acoustic step, and with it the records' pressures.
-template <int D>
-void Vessel<D>::first_pressures(double dt) {
-  const FluidConstants constants = constants_of(*model_);
-  for_clusters(state_.fluid.clusters.size(), [&](std::size_t c) {
-    Cluster<D>& own = state_.fluid.clusters[c];
-    for (std::size_t lane = 0; lane < 8; ++lane) {
-      own.psi[lane] += static_cast<float>(0.5 * dt) * own.rate[lane];
-      work_.place[8 * c + lane].w = constants.kV * constants.c2 * own.psi[lane];
-    }
-  });
-}
-
 template <int D>
 void Vessel<D>::acoustic_step(double dt, bool last, std::span<const Drive> drives, double filter_time,
                               PhaseSeconds& seconds) {
@@ -165,16 +156,23 @@ void Vessel<D>::acoustic_step(double dt, bool last, std::span<const Drive> drive
     });
   }
   {
-    const Stopwatch watch(seconds.openings);
+    const Stopwatch watch(seconds.driving);
     drive_ports(*model_, state_, work_, drives, dt, filter_time);
   }
-  if (wall_) wall_->after_kick(*model_, state_.fluid);
-  const Stopwatch watch(seconds.acoustic);
-  for_batches(clusters.size(), [&](std::size_t begin, std::size_t end) {
-    kernels.density(begin, end, clusters.data(), work_.rows.data(), work_.place.data(), work_.velocity.data(),
-                    wall_velocity, constants, static_cast<float>(dt), last ? 0.5f : 1.0f);
-  });
   if (wall_) {
+    const Stopwatch watch(seconds.walls);
+    wall_->after_kick(*model_, state_.fluid);
+  }
+  {
+    const Stopwatch watch(seconds.acoustic);
+    for_batches(clusters.size(), [&](std::size_t begin, std::size_t end) {
+      kernels.density(begin, end, clusters.data(), work_.rows.data(), work_.place.data(),
+                      work_.velocity.data(), wall_velocity, constants, static_cast<float>(dt),
+                      last ? 0.5f : 1.0f);
+    });
+  }
+  if (wall_) {
+    const Stopwatch watch(seconds.walls);
     wall_->after_density(*model_, state_.fluid);
     wall_->step(state_.wall, dt, state_.datum.reference);
   }
@@ -288,10 +286,9 @@ double Vessel<D>::storage() const {
 template <int D>
 std::size_t Vessel<D>::bytes() const {
   const std::size_t places = state_.fluid.places();
-  const std::size_t per_place =
-      sizeof(Vec<D>) + 1 +
-      (sizeof(Cluster<D>) + sizeof(ClusterSums<D>) + sizeof(ClusterSurroundings<D>)) / 8 +
-      sizeof(PlaceRecord) + sizeof(VelocityRecord) + sizeof(MatrixRecord) + 1;
+  const std::size_t state = sizeof(Vec<D>) + 1 + sizeof(Cluster<D>) / 8;  // twice, for ordering
+  const std::size_t per_place = 2 * state + (sizeof(ClusterSums<D>) + sizeof(ClusterSurroundings<D>)) / 8 +
+                                sizeof(PlaceRecord) + sizeof(VelocityRecord) + sizeof(MatrixRecord) + 1;
   return places * per_place + work_.rows.bytes() + model_->wall.bytes();
 }
 

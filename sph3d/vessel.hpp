@@ -75,7 +75,6 @@ class Vessel {
  private:
   double acoustic_time_step() const;
   std::pair<double, StepBound> time_step(double dt_limit) const;
-  void first_pressures(double dt);
   void prepare(double dt, double acoustic_dt, PhaseSeconds& seconds);
   void acoustic_step(double dt, bool last, std::span<const Drive> drives, double filter_time,
                      PhaseSeconds& seconds);

@@ -12,10 +12,12 @@ namespace {
 using Phases = std::vector<std::pair<const char*, double>>;
 
 Phases phases_of(const Account& a, double wall) {
-  const double known = a.vessel.acoustic + a.vessel.advection + a.vessel.openings + a.network + a.output;
-  return {{"acoustic", a.vessel.acoustic},
-          {"advection", a.vessel.advection},
-          {"openings", a.vessel.openings},
+  const auto& v = a.vessel;
+  const double known = v.acoustic + v.advection + v.walls + v.openings() + a.network + a.output;
+  return {{"acoustic", v.acoustic},
+          {"advection", v.advection},
+          {"walls", v.walls},
+          {"openings", v.openings()},
           {"network", a.network},
           {"output", a.output},
           {"other", std::max(wall - known, 0.0)}};
@@ -40,9 +42,11 @@ double Account::balance(double inside, double in, double out) {
 
 void archive(Archive& a, Account& account) {
   std::vector<std::int64_t> bounds(account.bounds.begin(), account.bounds.end());
-  a("advection", account.vessel.advection);
   a("acoustic", account.vessel.acoustic);
-  a("openings", account.vessel.openings);
+  a("driving", account.vessel.driving);
+  a("advection", account.vessel.advection);
+  a("walls", account.vessel.walls);
+  a("renewal", account.vessel.renewal);
   a("network", account.network);
   a("output", account.output);
   a("wall", account.wall);

@@ -1,13 +1,11 @@
 /// The account of a coupled run: where the time went, what bounded the steps, what must hold at the end.
 ///
-///   phases      s of wall time: acoustic, advection, openings (sph3d/step/phases), network, output, other
+///   phases      s of wall time: acoustic, advection, walls, openings (sph3d/step/phases), network, output, other
 ///   bounds      share of the advection steps whose length each bound has set
 ///   checks      mass balance     largest |discrepancy| over the volume that has entered or stands inside   <= 1e-10
 ///               escaped          particles lost through the wall                                           == 0
 ///               density          largest deviation from the rest density                                   <= 3 %
 ///               speed            largest velocity over the sound speed                                     <= 15 %
-///
-/// Walls are part of the kernels: their time stands in acoustic and advection and is not told apart.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -122,9 +122,11 @@ struct FluidKernels {
   /// density, gradient, moment and k0 of the clusters [begin, end).
   void (*sums)(std::int64_t begin, std::int64_t end, Cluster<D>*, ClusterSums<D>*, const Rows*,
                const PlaceRecord*, const FluidConstants&);
-  /// B from the moments of fluid and wall, with its record; friction; source.
+  /// B from the moments of fluid and wall, with its record; friction; source. Then psi advances by half an acoustic step
+  /// of dt, the half that `density` has left, and place.w shows the pressure.
   void (*corrections)(std::int64_t begin, std::int64_t end, Cluster<D>*, const ClusterSums<D>*,
-                      const ClusterSurroundings<D>*, MatrixRecord*, const FluidConstants&);
+                      const ClusterSurroundings<D>*, MatrixRecord*, PlaceRecord*, const FluidConstants&,
+                      float dt);
   /// G, prior and imbalance.
   void (*corrected_sums)(std::int64_t begin, std::int64_t end, Cluster<D>*, ClusterSums<D>*, const Rows*,
                          const PlaceRecord*, const VelocityRecord*, const MatrixRecord*,

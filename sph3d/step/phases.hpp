@@ -1,25 +1,27 @@
 /// Where the time of a vessel's steps goes, and what limits their length.
 ///
+///   acoustic    kicks and densities of the acoustic steps, what the wall adds to a kernel included
+///   driving     of the ports, in every acoustic step
 ///   advection   what is done once per advection step: neighbours, kernel sums, gradients, shift, motion
-///   acoustic    kicks and densities of the acoustic steps
-///   openings    driving of the ports in every acoustic step, removal, insertion and counting of particles
-///
-/// Walls are part of the kernels and of the preparation: their time stands in `advection` and `acoustic` and is not told
-/// apart.
+///   walls       looking up what the wall fills around every particle, once per advection step; motion of the wall
+///   renewal     removal, insertion and counting of particles at the openings, once per advection step
 #pragma once
 #include <chrono>
 
 namespace ostium::sph3d {
 
 struct PhaseSeconds {
-  double advection = 0, acoustic = 0, openings = 0;  // s of wall time
+  double acoustic = 0, driving = 0, advection = 0, walls = 0, renewal = 0;  // s of wall time
 
   PhaseSeconds& operator+=(const PhaseSeconds& other) {
-    advection += other.advection;
     acoustic += other.acoustic;
-    openings += other.openings;
+    driving += other.driving;
+    advection += other.advection;
+    walls += other.walls;
+    renewal += other.renewal;
     return *this;
   }
+  double openings() const { return driving + renewal; }
 };
 
 /// Adds the time it lives to a sum of seconds.

@@ -39,13 +39,14 @@ void spare_ducts(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>
 }  // namespace
 
 template <int D>
-void correct(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, double dt) {
+void correct(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, double dt, double acoustic_dt) {
   complete_moments(model, fluid, work);
   FluidConstants constants = constants_of(model);
   constants.correction = static_cast<float>(model.options.density_relaxation / dt);
   for_batches(fluid.clusters.size(), [&](std::size_t begin, std::size_t end) {
     fluid_kernels<D>().corrections(begin, end, fluid.clusters.data(), work.sums.data(), work.around.data(),
-                                   work.matrix.data(), constants);
+                                   work.matrix.data(), work.place.data(), constants,
+                                   static_cast<float>(acoustic_dt));
   });
   spare_ducts(model, fluid, work);
 }
@@ -103,19 +104,27 @@ void prepare_forces(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& w
 }
 
 template <int D>
-void prepare_step(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, double dt) {
-  freeze(model, fluid, work);
-  find_zones(model, fluid, work);
-  look_around(model, fluid, work);
+void prepare_step(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, double dt,
+                  double acoustic_dt, PhaseSeconds& seconds) {
+  {
+    const Stopwatch watch(seconds.advection);
+    freeze(model, fluid, work);
+    find_zones(model, fluid, work);
+  }
+  {
+    const Stopwatch watch(seconds.walls);
+    look_around(model, fluid, work);
+  }
+  const Stopwatch watch(seconds.advection);
   kernel_sums(model, fluid, work);
-  correct(model, fluid, work, dt);
+  correct(model, fluid, work, dt, acoustic_dt);
   prepare_forces(model, fluid, work);
 }
 
-#define OSTIUM_INSTANTIATE(D)                                                    \
-  template void correct(const Model<D>&, FluidState<D>&, Workspace<D>&, double); \
-  template void prepare_forces(const Model<D>&, FluidState<D>&, Workspace<D>&);  \
-  template void prepare_step(const Model<D>&, FluidState<D>&, Workspace<D>&, double);
+#define OSTIUM_INSTANTIATE(D)                                                            \
+  template void correct(const Model<D>&, FluidState<D>&, Workspace<D>&, double, double); \
+  template void prepare_forces(const Model<D>&, FluidState<D>&, Workspace<D>&);          \
+  template void prepare_step(const Model<D>&, FluidState<D>&, Workspace<D>&, double, double, PhaseSeconds&);
 OSTIUM_INSTANTIATE(2)
 OSTIUM_INSTANTIATE(3)
 

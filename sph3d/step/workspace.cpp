@@ -35,14 +35,26 @@ FluidConstants constants_of(const Model<D>& model) {
 
 namespace {
 
-/// Whether anything in this box, in local coordinates, may come to stand in the zone of a duct during this step.
+/// Corners of a box in local coordinates; an empty one has low above high.
 template <int D>
-bool near_duct(const Model<D>& model, const Duct<D>& duct, const Box<D>& box) {
+std::pair<Vec<D>, Vec<D>> corners(const Model<D>& model, const Box<D>& box) {
   Vec<D> low, high;
   for (int d = 0; d < D; ++d) low[d] = box.low[d], high[d] = box.high[d];
+  return {model.origin + model.reach() * low, model.origin + model.reach() * high};
+}
+
+/// Whether anything in this box may come to stand in the zone of a duct during this step.
+template <int D>
+bool near_duct(const Model<D>& model, const Duct<D>& duct, const Box<D>& box) {
+  const auto [low, high] = corners(model, box);
   if (low[0] > high[0]) return false;
-  const double radius = 0.5 * model.reach() * (high - low).norm();
-  return duct.near(model.origin + 0.5 * model.reach() * (low + high), radius + 3.0 * model.options.dp);
+  return duct.near(0.5 * (low + high), 0.5 * (high - low).norm() + 3.0 * model.options.dp);
+}
+
+template <int D>
+bool feels_wall(const Model<D>& model, const Box<D>& box) {
+  const auto [low, high] = corners(model, box);
+  return low[0] <= high[0] && model.wall.felt_in(low, high);
 }
 
 template <int D>
@@ -125,26 +137,6 @@ WallSample<D> beyond_face(const Model<D>& model, int k, const Vec<D>& x, const W
           model.half_space.flux(s) * left * model.ducts[k].opening().normal - beyond * wall.flux};
 }
 
-namespace {
-
-/// Whether any particle of a cluster, in local coordinates, may feel the wall.
-template <int D>
-bool feels_wall(const Model<D>& model, const Cluster<D>& cluster) {
-  Vec<D> low, high;
-  for (int d = 0; d < D; ++d) {
-    float least = cluster.x[d][0], most = least;
-    for (int lane = 1; lane < 8; ++lane) {
-      least = std::min(least, cluster.x[d][lane]);
-      most = std::max(most, cluster.x[d][lane]);
-    }
-    if (most > 0.5f * far_away) return true;  // an empty place among them
-    low[d] = model.origin[d] + model.reach() * least, high[d] = model.origin[d] + model.reach() * most;
-  }
-  return model.wall.felt_in(low, high);
-}
-
-}  // namespace
-
 template <int D>
 WallSample<D> wall_at(const Model<D>& model, const Workspace<D>& work, std::size_t i, const Vec<D>& x) {
   return work.wall_motion ? work.wall_motion->sample(model.wall, i, x) : model.wall(x);
@@ -158,11 +150,14 @@ void look_around(const Model<D>& model, FluidState<D>& state, Workspace<D>& work
   for (std::size_t c = 0; c < state.clusters.size(); ++c) {
     ClusterSurroundings<D>& around = work.around[c];
     around = {};
-    const bool felt = work.wall_motion || feels_wall(model, state.clusters[c]);
+    for (auto& row : state.clusters[c].wall) std::fill_n(row, 8, 0.0f);
+    const bool walled = work.wall_motion || feels_wall(model, work.rows.box(c));
+    const std::int8_t* duct = &work.duct_of[8 * c];
+    if (!walled && std::all_of(duct, duct + 8, [](int k) { return k < 0; })) continue;
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const std::size_t i = 8 * c + lane;
       const WallSample<D> wall =
-          felt && state.filled[i] ? wall_at(model, work, i, state.position[i]) : WallSample<D>{};
+          walled && state.filled[i] ? wall_at(model, work, i, state.position[i]) : WallSample<D>{};
       lane_assign<D>(state.clusters[c].wall, lane, wall.flux);
       if (wall.filling > 0.0) {
         around.filling[lane] = static_cast<float>(wall.filling);

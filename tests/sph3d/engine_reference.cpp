@@ -95,7 +95,7 @@ void compare(const char* isa) {
     const Mat<D> m = lane_matrix<D>(p.work.sums[c].moment, lane);
     moment.add((m - r.moment).norm(), r.moment.norm());
   });
-  correct(model, p.fluid, p.work, 1e9);  // no source: the reference has none
+  correct(model, p.fluid, p.work, 1e9, 0);  // no source: the reference has none
   Error matrix, friction;
   all([&](std::size_t, std::size_t c, std::size_t lane, const auto&) {
     const auto [B, rate] = plain_correction<D>(
@@ -176,7 +176,7 @@ void compare_whole_step(const Lumen<D>& lumen, std::size_t least_particles) {
   plain::Fluid<D> reference(model, p.fluid);
   reference.sums();
   const std::vector<ClusterSums<D>> first_sums = p.work.sums;
-  correct(model, p.fluid, p.work, 1e9);  // no density source: the reference has none
+  correct(model, p.fluid, p.work, 1e9, 0);  // no density source: the reference has none
   prepare_forces(model, p.fluid, p.work);
 
   const std::size_t places = p.fluid.places();

@@ -37,6 +37,23 @@ Passage shortest_passage(const SurfacePairs<D>& pairs, const std::vector<std::in
   return {least_rows, -1, -1};
 }
 
+/// Points within this depth of a rim that are reached from it without leaving this depth: a neighbouring branch is not, near as it may be.
+template <int D>
+std::vector<int> within(const SurfacePoints<D>& points, const SurfacePairs<D>& pairs, const Rim<D>& rim,
+                        double deep, double first_row) {
+  std::vector<char> candidate(points.position.size());
+  std::vector<int> reached;
+  for (std::size_t a = 0; a < candidate.size(); ++a) {
+    candidate[a] = rim.near(points.position[a], deep);
+    if (candidate[a] && rim.distance(points.position[a]) < first_row)
+      reached.push_back(static_cast<int>(a)), candidate[a] = 0;
+  }
+  for (std::size_t k = 0; k < reached.size(); ++k)
+    for (const auto [b, image] : pairs.of(std::size_t(reached[k])))
+      if (candidate[b]) reached.push_back(b), candidate[b] = 0;
+  return reached;
+}
+
 }  // namespace
 
 double end_length(const ShellWallOptions& o) {
@@ -64,17 +81,16 @@ void check_plane_ends(const Lumen<D>& lumen, double spacing) {
 }
 
 template <int D>
-std::vector<std::int32_t> ends_of(const std::vector<Vec<D>>& points, const Lumen<D>& lumen,
+std::vector<std::int32_t> ends_of(const SurfacePoints<D>& points, const Lumen<D>& lumen,
                                   const ShellWallOptions& options) {
   const double deep = end_length(options) + options.beyond;
-  std::vector<Rim<D>> rims;
-  for (const auto& o : lumen.openings) rims.emplace_back(o, options.beyond);
-  std::vector<std::int32_t> opening;
-  for (const auto& x : points) {
-    int nearest = -1;
-    for (int k = 0; k < static_cast<int>(rims.size()); ++k)
-      if (rims[k].near(x, deep) && (nearest < 0 || rims[k].depth(x) < rims[nearest].depth(x))) nearest = k;
-    opening.push_back(nearest);
+  const SurfacePairs<D> pairs(points.position, points.normal, {}, row * options.spacing);
+  std::vector<std::int32_t> opening(points.position.size(), -1);
+  std::vector<double> away(points.position.size(), 1e300);
+  for (int k = 0; k < static_cast<int>(lumen.openings.size()); ++k) {
+    const Rim<D> rim(lumen.openings[k], options.beyond);
+    for (const int a : within(points, pairs, rim, deep, row * options.spacing))
+      if (const double d = rim.distance(points.position[a]); d < away[a]) away[a] = d, opening[a] = k;
   }
   return opening;
 }
@@ -114,10 +130,8 @@ void hold_ends(ShellCloud<D>& cloud, const std::vector<std::int32_t>& opening, c
 
 template void check_plane_ends(const Lumen<2>&, double);
 template void check_plane_ends(const Lumen<3>&, double);
-template std::vector<std::int32_t> ends_of(const std::vector<Vec<2>>&, const Lumen<2>&,
-                                           const ShellWallOptions&);
-template std::vector<std::int32_t> ends_of(const std::vector<Vec<3>>&, const Lumen<3>&,
-                                           const ShellWallOptions&);
+template std::vector<std::int32_t> ends_of(const SurfacePoints<2>&, const Lumen<2>&, const ShellWallOptions&);
+template std::vector<std::int32_t> ends_of(const SurfacePoints<3>&, const Lumen<3>&, const ShellWallOptions&);
 template void check_free_rows(const SurfacePoints<2>&, const std::vector<std::int32_t>&, const Lumen<2>&,
                               const ShellWallOptions&);
 template void check_free_rows(const SurfacePoints<3>&, const std::vector<std::int32_t>&, const Lumen<3>&,

@@ -16,9 +16,9 @@ double end_length(const ShellWallOptions& options);
 template <int D>
 void check_plane_ends(const Lumen<D>& lumen, double spacing);
 
-/// The nearest of the openings within whose end a point lies.
+/// The nearest of the openings within whose end a point lies, and to whose rim it is joined within that end.
 template <int D>
-std::vector<std::int32_t> ends_of(const std::vector<Vec<D>>& points, const Lumen<D>& lumen,
+std::vector<std::int32_t> ends_of(const SurfacePoints<D>& points, const Lumen<D>& lumen,
                                   const ShellWallOptions& options);
 
 /// Refuses clamps with fewer than three rows of free points between them.

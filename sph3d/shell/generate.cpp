@@ -4,6 +4,8 @@
 
 #include "core/error.hpp"
 #include "sph3d/neighbours/order.hpp"
+#include "sph3d/shell/bends.hpp"
+#include "sph3d/shell/circumference.hpp"
 #include "sph3d/shell/ends.hpp"
 #include "sph3d/shell/lateral.hpp"
 #include "sph3d/shell/surface_bending.hpp"
@@ -12,9 +14,6 @@
 namespace ostium::sph3d {
 
 namespace {
-
-/// Where the wall would fold onto itself within its thickness, whatever the user allows.
-constexpr double folding = 1.8;
 
 void check_options(const ShellWallOptions& o) {
   if (!(o.spacing > 0.0)) user_error("the shell spacing is {:g} m; it has to be positive", o.spacing);
@@ -55,38 +54,6 @@ SurfacePoints<D> points_on(const Lumen<D>& lumen, const ShellWallOptions& o) {
   return ordered(surface_points(lateral(surface), rims, o.spacing, o.iterations));
 }
 
-/// Where thickness over the radius of curvature of the mid-surface is largest.
-struct Bend {
-  double share = 0, radius = 0;
-  std::size_t point = 0;
-};
-
-template <int D>
-Bend tightest(const std::vector<Curvatures<D>>& curvature, const std::vector<double>& thickness) {
-  Bend worst;
-  for (std::size_t a = 0; a < curvature.size(); ++a)
-    for (const double k : curvature[a]) {
-      const double opened = 1.0 + 0.5 * k * thickness[a];
-      const double radius = opened > 0.0 ? opened / std::max(std::abs(k), 1e-300) : 0.0;
-      const double share = thickness[a] / std::max(radius, 1e-300);
-      if (share > worst.share) worst = {share, radius, a};
-    }
-  return worst;
-}
-
-template <int D>
-void check_bends(const SurfacePoints<D>& p, const std::vector<Curvatures<D>>& curvature,
-                 const std::vector<double>& thickness, double allowed) {
-  const Bend bend = tightest<D>(curvature, thickness);
-  const double limit = std::min(allowed, folding);
-  if (bend.share > limit)
-    user_error(
-        "the wall is {:.3g} m thick {}, where its middle is bent with a radius of {:.3g} m; a shell allows "
-        "{:g} "
-        "of the radius. Make the wall thinner there, round the surface off, or model the wall as a solid",
-        thickness[bend.point], place<D>(p.position[bend.point]), bend.radius, limit);
-}
-
 /// From the surface of the lumen to the middle of the wall.
 template <int D>
 ShellCloud<D> mid_surface(const SurfacePoints<D>& p, const std::vector<Vec<D>>& normal,
@@ -112,16 +79,22 @@ WallShell<D> shell_of(const Lumen<D>& lumen, const ShellWallOptions& options) {
   const auto thickness = values_at(options.thickness, points.position, lumen, "the thickness of the wall");
   const auto stiffness =
       values_at(options.stiffness, points.position, lumen, "the stiffness factor of the wall");
-  const auto normal = smoothed_normals(points, options.spacing);
-  const auto curvature = curvatures(points, normal, options.spacing);
-  check_bends<D>(points, curvature, thickness, options.tightest_bend);
+  const SurfaceAverage<D> average(points, options.spacing);
   WallShell<D> shell;
-  shell.opening = ends_of(points.position, lumen, options);
+  shell.contact = points.position, shell.contact_area = points.area;
+  shell.contact_normal = contact_normals(points, average);
+  const auto normal = wall_normals(points, average, shell.contact_normal, thickness, options.spacing);
+  const auto S = bending(points, average.pairs(), normal, options.spacing);
+  const auto curvature = principal_curvatures<D>(S);
+  shell.bends = bends_of(points, curvature, thickness, options.tightest_bend);
+  check_bends(shell.bends, options, shell.warnings);
+  shell.opening = ends_of(points, lumen, options);
   check_free_rows(points, shell.opening, lumen, options);
   shell.cloud = mid_surface<D>(points, normal, curvature, thickness);
   shell.cloud.stiffness = stiffness;
+  if constexpr (D == 3)
+    shell.cloud.circumference = circumference(average, normal, S, thickness, options.spacing);
   hold_ends(shell.cloud, shell.opening, lumen, options.ends);
-  shell.contact = points.position, shell.contact_normal = normal, shell.contact_area = points.area;
   return shell;
 }
 

@@ -1,73 +1,121 @@
 #include "sph3d/shell/surface_bending.hpp"
 
-#include "sph3d/shell/reduced_kernel.hpp"
-#include "sph3d/shell/surface_pairs.hpp"
+#include <algorithm>
+#include <cmath>
+
 #include "sph3d/shell/weights.hpp"
 
 namespace ostium::sph3d {
 
 namespace {
 
-constexpr double smoothing = 1.15;  // h over the spacing, that of the shell
-
-template <int D>
-using Tensor = Eigen::Matrix<double, D - 1, D - 1>;
-
-template <int D>
-std::vector<Vec<D>> smoothed_once(const SurfacePoints<D>& p, const std::vector<Vec<D>>& normal,
-                                  const SurfacePairs<D>& pairs, const ReducedKernel<D>& kernel) {
-  std::vector<Vec<D>> mean(normal.size());
-  for (std::size_t a = 0; a < normal.size(); ++a) {
-    Vec<D> sum = kernel.value(0.0) * p.area[a] * normal[a];
-    for (const auto [b, rim] : pairs.of(a))
-      sum += kernel.value((p.position[a] - p.position[b]).norm()) * p.area[b] * normal[b];
-    mean[a] = sum.normalized();
-  }
-  return mean;
-}
+constexpr double smoothing = 1.15;   // h over the spacing, that of the shell
+constexpr int contact_passes = 2;    // bends a corner over two spacings
+constexpr double wall_length = 0.5;  // over the thickness
+constexpr double most_length = 1.5;  // of the averages that keep a wall from crossing itself
 
 /// The inverse of M; a point that sees too little has no gradient.
 template <int D>
-Tensor<D> inverse(const Tensor<D>& M) {
-  const Eigen::SelfAdjointEigenSolver<Tensor<D>> eigen(M);
+Bending<D> inverse(const Bending<D>& M) {
+  const Eigen::SelfAdjointEigenSolver<Bending<D>> eigen(M);
   auto values = eigen.eigenvalues();
   for (auto& v : values) v = v > 0.05 ? 1.0 / v : 0.0;
   return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
+template <int D>
+Bending<D> bending_at(const SurfacePoints<D>& p, const SurfacePairs<D>& pairs,
+                      const std::vector<Vec<D>>& normal, const ReducedKernel<D>& kernel, std::size_t a) {
+  const auto e = tangent_frame<D>(normal[a]);
+  Bending<D> M = Bending<D>::Zero(), turn = Bending<D>::Zero();
+  for (const auto [b, rim] : pairs.of(a)) {
+    const Vec<D> apart = p.position[b] - p.position[a];
+    const Eigen::Matrix<double, D - 1, 1> xi = e * apart, dn = e * (normal[b] - normal[a]);
+    const double w = kernel.pull(apart.norm()) * p.area[b];
+    M += w * xi * xi.transpose(), turn += w * dn * xi.transpose();
+  }
+  const Bending<D> S = turn * inverse<D>(M);
+  return 0.5 * (S + S.transpose());
+}
+
+/// The marked ones and all that see them, over so many steps.
+template <int D>
+std::vector<char> grown(std::vector<char> marked, const SurfacePairs<D>& pairs, int steps) {
+  for (; steps > 0; --steps) {
+    const auto before = marked;
+    for (std::size_t a = 0; a < before.size(); ++a)
+      if (before[a])
+        for (const auto [b, rim] : pairs.of(a)) marked[b] = 1;
+  }
+  return marked;
+}
+
+/// Averages on where the wall would cross itself, and more than a thickness around. `look`: where that may have changed.
+template <int D>
+void open_up(std::vector<Vec<D>>& normal, const SurfacePoints<D>& p, const SurfaceAverage<D>& average,
+             const std::vector<double>& thickness, double spacing) {
+  const ReducedKernel<D> kernel{smoothing * spacing};
+  const double thickest = *std::max_element(thickness.begin(), thickness.end());
+  const auto rounds = static_cast<int>(std::ceil(std::pow(most_length * thickest, 2) / average.variance()));
+  const auto steps = 1 + static_cast<int>(std::ceil(thickest / kernel.reach()));
+  std::vector<char> look(normal.size(), 1);
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<char> tight(normal.size(), 0);
+#pragma omp parallel for schedule(static)
+    for (std::size_t a = 0; a < normal.size(); ++a)
+      if (look[a]) {
+        const double k = principal<D>(bending_at(p, average.pairs(), normal, kernel, a))[0];
+        tight[a] = 1.0 + 0.5 * k * thickness[a] < least_opening;
+      }
+    if (std::none_of(tight.begin(), tight.end(), [](char t) { return t; })) return;
+    const auto around = grown(tight, average.pairs(), steps);
+    smooth(normal, average, std::vector<double>(around.begin(), around.end()), 1);
+    look = grown(around, average.pairs(), 1);
+  }
+}
+
 }  // namespace
 
 template <int D>
-std::vector<Vec<D>> smoothed_normals(const SurfacePoints<D>& p, double spacing) {
-  const ReducedKernel<D> kernel{smoothing * spacing};
-  const SurfacePairs<D> pairs(p.position, p.normal, {}, kernel.reach());
-  return smoothed_once(p, smoothed_once(p, p.normal, pairs, kernel), pairs, kernel);
+std::vector<Vec<D>> contact_normals(const SurfacePoints<D>& p, const SurfaceAverage<D>& average) {
+  auto normal = p.normal;
+  smooth(normal, average, std::vector<double>(normal.size(), 1.0), contact_passes);
+  return normal;
 }
 
 template <int D>
-std::vector<Curvatures<D>> curvatures(const SurfacePoints<D>& p, const std::vector<Vec<D>>& normal,
-                                      double spacing) {
-  const ReducedKernel<D> kernel{smoothing * spacing};
-  const SurfacePairs<D> pairs(p.position, normal, {}, kernel.reach());
-  std::vector<Curvatures<D>> found(normal.size());
-  for (std::size_t a = 0; a < normal.size(); ++a) {
-    const auto e = tangent_frame<D>(normal[a]);
-    Tensor<D> M = Tensor<D>::Zero(), turn = Tensor<D>::Zero();
-    for (const auto [b, rim] : pairs.of(a)) {
-      const Vec<D> apart = p.position[b] - p.position[a];
-      const Eigen::Matrix<double, D - 1, 1> xi = e * apart, dn = e * (normal[b] - normal[a]);
-      const double w = kernel.pull(apart.norm()) * p.area[b];
-      M += w * xi * xi.transpose(), turn += w * dn * xi.transpose();
-    }
-    const Tensor<D> S = turn * inverse<D>(M);
-    found[a] = Eigen::SelfAdjointEigenSolver<Tensor<D>>(0.5 * (S + S.transpose())).eigenvalues();
-  }
-  return found;
+std::vector<Vec<D>> wall_normals(const SurfacePoints<D>& p, const SurfaceAverage<D>& average,
+                                 const std::vector<Vec<D>>& contact_normal,
+                                 const std::vector<double>& thickness, double spacing) {
+  auto normal = contact_normal;
+  std::vector<double> passes;  // beyond those of the contact normals
+  for (const double t : thickness)
+    passes.push_back(std::max(0.0, std::pow(wall_length * t, 2) / average.variance() - contact_passes));
+  const int rows = static_cast<int>(std::ceil(*std::max_element(passes.begin(), passes.end())));
+  for (double& share : passes) share /= std::max(rows, 1);
+  smooth(normal, average, passes, rows);
+  open_up(normal, p, average, thickness, spacing);
+  return normal;
 }
 
-template std::vector<Vec<2>> smoothed_normals(const SurfacePoints<2>&, double);
-template std::vector<Vec<3>> smoothed_normals(const SurfacePoints<3>&, double);
-template std::vector<Curvatures<2>> curvatures(const SurfacePoints<2>&, const std::vector<Vec<2>>&, double);
-template std::vector<Curvatures<3>> curvatures(const SurfacePoints<3>&, const std::vector<Vec<3>>&, double);
+template <int D>
+std::vector<Bending<D>> bending(const SurfacePoints<D>& p, const SurfacePairs<D>& pairs,
+                                const std::vector<Vec<D>>& normal, double spacing) {
+  const ReducedKernel<D> kernel{smoothing * spacing};
+  std::vector<Bending<D>> S(normal.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t a = 0; a < normal.size(); ++a) S[a] = bending_at(p, pairs, normal, kernel, a);
+  return S;
+}
+
+#define OSTIUM_BENDING(D)                                                                                    \
+  template std::vector<Vec<D>> contact_normals(const SurfacePoints<D>&, const SurfaceAverage<D>&);           \
+  template std::vector<Vec<D>> wall_normals(const SurfacePoints<D>&, const SurfaceAverage<D>&,               \
+                                            const std::vector<Vec<D>>&, const std::vector<double>&, double); \
+  template std::vector<Bending<D>> bending(const SurfacePoints<D>&, const SurfacePairs<D>&,                  \
+                                           const std::vector<Vec<D>>&, double);
+
+OSTIUM_BENDING(2)
+OSTIUM_BENDING(3)
 
 }  // namespace ostium::sph3d

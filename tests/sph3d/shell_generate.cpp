@@ -202,14 +202,6 @@ TEST(ShellGenerate, RefusesSpacingsAndThicknesses) {
               HasSubstr("varies from the opening 'opening3', which the vessel has not; did you mean"));
 }
 
-// A bend of 3 mm inside, with a wall of 2 mm: its middle is bent with 2 mm there.
-TEST(ShellGenerate, RefusesAWallThickerThanItsBend) {
-  const auto lumen = lumen_of(generate(BendShape{.radius = 6e-3, .bend_radius = 9e-3}));
-  EXPECT_THAT(refusal(lumen, {.spacing = 0.6e-3, .fluid_spacing = 0.6e-3, .thickness = 2e-3}),
-              AllOf(HasSubstr("the wall is 0.002 m thick at ("), HasSubstr("bent with a radius of 0.00"),
-                    HasSubstr("a shell allows 0.5 of the radius")));
-}
-
 TEST(ShellGenerate, RefusesEndsThatAreNotPlane) {
   const Carotid carotid;
   auto lumen = carotid.lumen();

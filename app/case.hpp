@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/wall_case.hpp"
 #include "core/config.hpp"
 #include "network/simulate.hpp"
 #include "sph3d/openings/profile.hpp"
@@ -24,12 +25,6 @@ struct OpeningCase {
   std::optional<std::string> label;
   sph3d::Profile profile = sph3d::Profile::parabolic;
   config::Node origin;
-};
-
-enum class WallModel { rigid };
-
-struct WallCase {
-  WallModel model = WallModel::rigid;
 };
 
 struct VesselCase {
@@ -97,7 +92,6 @@ struct Case {
 };
 
 void declare(config::Fields<OpeningCase>&);
-void declare(config::Fields<WallCase>&);
 void declare(config::Fields<VesselCase>&);
 void declare(config::Fields<FluidCase>&);
 void declare(config::Fields<NetworkCase>&);

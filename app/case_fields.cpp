@@ -51,11 +51,6 @@ void declare(config::Fields<OpeningCase>& f) {
   f.check(check_opening);
 }
 
-void declare(config::Fields<WallCase>& f) {
-  f.choice("model", &WallCase::model, {{"rigid", WallModel::rigid}}, "how the wall answers to pressure")
-      .or_else(WallModel::rigid);
-}
-
 void declare(config::Fields<VesselCase>& f) {
   f.integer("dimension", &VesselCase::dimension, "2 or 3; in 2D flows are per metre of depth")
       .at_least(2)

@@ -84,8 +84,14 @@ class Session {
       filling.update(share, 0);
     };
     network::Network network(setup.model, setup.ports);
-    if (saved) return {saved->run, setup.lumen, fluid, setup.profiles, std::move(network), options};
-    return {setup.lumen, fluid, setup.profiles, std::move(network), start, options};
+    coupling::MakeWall<D> wall;
+    if (moves(study))
+      wall = [&](const sph3d::Model<D>& model) {
+        filling.finish();
+        return make_wall(study, model, start_ramp(scales), quiet);
+      };
+    if (saved) return {saved->run, setup.lumen, fluid, setup.profiles, std::move(network), options, wall};
+    return {setup.lumen, fluid, setup.profiles, std::move(network), start, options, wall};
   }
 
   bool done() const { return run_.time() >= end_ * (1.0 - 1e-12); }
@@ -99,6 +105,7 @@ class Session {
         "{} threads",
         options_.case_name, run_.vessel().state().fluid.count(), 1e3 * model.options.dp, scales_.sound_speed,
         scales_.speed, sph3d::fluid_kernels<D>().name, omp_get_max_threads());
+    if (moves(study_)) log::info("{}", wall_text(scales_.wall, scales_.sound_speed, *run_.vessel().wall()));
     log::info("{}", run_.stability().text());
     for (const auto& warning : run_.warnings()) log::warn("{}", warning);
   }

@@ -36,15 +36,24 @@ coupling::SchemeKind scheme_of(Scheme scheme) {
 
 }  // namespace
 
+double start_ramp(const FlowScales& scales) {
+  const double c =
+      scales.wall.pulse_speed > 0 ? scales.wall.effective_speed(scales.sound_speed) : scales.sound_speed;
+  return std::max(0.01, 3.0 * scales.length / c);
+}
+
 coupling::CoupledOptions coupled_options(const Case& study, const FlowScales& scales) {
   const double exchange = study.coupling.exchange.value_or(0.0);
+  const auto& prestress = study.vessel->wall.prestress;
   return {.scheme = scheme_of(study.coupling.scheme),
           .exchange = exchange,
           .filter_time = study.coupling.filter_time.value_or(std::max(0.01, 5.0 * exchange)),
           .datum_time = scales.datum_time,
-          .ramp = std::max(0.01, 3.0 * scales.length / scales.sound_speed),
+          .ramp = start_ramp(scales),
           .period = study.time.period.value_or(0.0),
           .background = scales.background,
+          .start_pressure = prestress ? std::optional(prestress->pressure) : std::nullopt,
+          .wall_compliance = scales.wall.compliance,
           .force = study.coupling.force};
 }
 

@@ -90,7 +90,9 @@ FlowScales flow_scales(const Case& study, const Setup<D>& setup, const std::opti
   check_sound_speed(study, scales.speed);
   const double rho = study.fluid.density;
   scales.length = sph3d::length_between_openings(setup.lumen);
-  scales.sound_speed = study.fluid.sound_speed.value_or(10.0 * scales.speed);
+  scales.wall = wall_scales(study, setup.lumen);
+  scales.sound_speed = study.fluid.sound_speed.value_or(
+      std::max(10.0 * scales.speed, sound_over_pulse * scales.wall.pulse_speed));
   scales.inner_pressure = 0.5 * rho * scales.speed * scales.speed + rho * scales.length * rate;
   scales.datum_time =
       study.coupling.datum_time.value_or(std::clamp(0.125 * scales.length / scales.sound_speed, 2e-3, 5e-3));

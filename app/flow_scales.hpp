@@ -2,7 +2,8 @@
 ///
 ///   U     m/s   largest velocity expected: peak mean velocity at an opening times its profile's peak (parabola 2, 2D 3/2;
 ///               outlets likewise), the outlets' flows split as in the periodic state, else by area
-///   c     m/s   sound speed, 10 U unless the case says otherwise: density varies by about 1 %
+///   c     m/s   sound speed, 10 U unless the case says otherwise: density varies by about 1 %; 3 c_MK at least where the wall
+///               moves (app/wall_setup)
 ///   dp_in Pa    largest pressure difference inside: rho U^2 / 2 + rho (length) max dU/dt
 ///   tau_D s     of the pressure datum: an eighth of length / c, kept within 2 and 5 ms, unless the case says otherwise
 ///   p_b   Pa    background: dp_in + tau_D max |dP/dt|, at most dp_in + the swing of P; the swing where tau_D = 0
@@ -13,12 +14,14 @@
 #include <optional>
 
 #include "app/vessel_setup.hpp"
+#include "app/wall_setup.hpp"
 #include "network/periodic.hpp"
 
 namespace ostium::app {
 
 struct FlowScales {
   double speed = 0, sound_speed = 0, inner_pressure = 0, datum_time = 0, background = 0, length = 0;
+  WallScales wall = {};
 };
 
 template <int D>

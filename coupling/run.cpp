@@ -21,11 +21,18 @@ std::vector<sph3d::OpeningRole> roles_of(const network::Network& network,
 }
 
 template <int D>
-VesselNumbers numbers_of(const sph3d::Model<D>& model) {
+VesselNumbers numbers_of(const sph3d::Model<D>& model, double wall_compliance) {
   return {.density = model.options.density,
           .sound_speed = model.options.sound_speed,
           .volume = model.domain.volume,
-          .length = sph3d::length_between_openings(model.lumen)};
+          .length = sph3d::length_between_openings(model.lumen),
+          .wall_compliance = wall_compliance};
+}
+
+template <int D>
+sph3d::Vessel<D> with_wall(sph3d::Vessel<D> vessel, const MakeWall<D>& make_wall) {
+  if (make_wall) vessel.set_wall(make_wall(vessel.model()));
+  return vessel;
 }
 
 double seconds() {
@@ -48,7 +55,7 @@ CoupledRun<D>::CoupledRun(network::Network network, const std::vector<sph3d::Pro
       std::min(fluid.advection_cfl * h / fluid.reference_speed, fluid.most_acoustic_steps * acoustic);
   const double window = std::max(options.exchange, advection);
   stability_ = stability_numbers(
-      network_, numbers_of(vessel_.model()),
+      network_, numbers_of(vessel_.model(), options.wall_compliance),
       {.window = window, .filter_time = options.filter_time, .delay = 4.0 * fluid.dp / fluid.sound_speed},
       omega1);
   warnings_ = check_stability(stability_, options.scheme, options.force);
@@ -57,11 +64,14 @@ CoupledRun<D>::CoupledRun(network::Network network, const std::vector<sph3d::Pro
 template <int D>
 CoupledRun<D>::CoupledRun(const sph3d::Lumen<D>& lumen, const sph3d::FluidOptions<D>& fluid,
                           const std::vector<sph3d::Profile>& profiles, network::Network network,
-                          const std::optional<network::Start>& begin, const CoupledOptions& options)
+                          const std::optional<network::Start>& begin, const CoupledOptions& options,
+                          const MakeWall<D>& make_wall)
     : CoupledRun(
           std::move(network), profiles,
           [&](auto roles) {
-            return sph3d::Vessel<D>(lumen, fluid, std::move(roles), options.background, options.progress);
+            return with_wall(
+                sph3d::Vessel<D>(lumen, fluid, std::move(roles), options.background, options.progress),
+                make_wall);
           },
           options) {
   start(begin);
@@ -70,11 +80,13 @@ CoupledRun<D>::CoupledRun(const sph3d::Lumen<D>& lumen, const sph3d::FluidOption
 template <int D>
 CoupledRun<D>::CoupledRun(CoupledState<D> saved, const sph3d::Lumen<D>& lumen,
                           const sph3d::FluidOptions<D>& fluid, const std::vector<sph3d::Profile>& profiles,
-                          network::Network network, const CoupledOptions& options)
+                          network::Network network, const CoupledOptions& options,
+                          const MakeWall<D>& make_wall)
     : CoupledRun(
           std::move(network), profiles,
           [&](auto roles) {
-            return sph3d::Vessel<D>(lumen, fluid, std::move(roles), std::move(saved.vessel));
+            return with_wall(sph3d::Vessel<D>(lumen, fluid, std::move(roles), std::move(saved.vessel)),
+                             make_wall);
           },
           options) {
   network_.load(saved.network);
@@ -93,7 +105,9 @@ void CoupledRun<D>::start(const std::optional<network::Start>& begin) {
   const double omega1 = options_.period > 0 ? 2.0 * pi / options_.period : 0.0;
   std::vector<double> pressures;
   for (int k = 0; k < port_count(); ++k)
-    pressures.push_back(network_.kind(k) == network::PortKind::pressure ? network_.pressure(k) : 0.0);
+    pressures.push_back(network_.kind(k) == network::PortKind::pressure
+                            ? options_.start_pressure.value_or(network_.pressure(k))
+                            : 0.0);
   sph3d::PressureDatum datum{.background = options_.background,
                              .tau = options_.datum_time,
                              .weights = datum_weights(network_, omega1)};

@@ -6,7 +6,8 @@
 ///        vessel --- Q_k = dM_k/dt ---> network
 ///        vessel <-- P_k(t) law ------- network           flow ports: the network prescribes the flow instead
 ///
-/// The run starts from the network's state, with the blood at rest and prescribed flows rising from zero within `ramp`.
+/// The run starts from the network's state, with the blood at rest at its pressure or at `start_pressure`, and prescribed flows
+/// rising from zero within `ramp`.
 /// The datum of the fluid's pressure moves with the ports (docs/theory/coupling.md).
 ///
 ///   exchange      s   shortest interval between two exchanges; 0: every advection step
@@ -32,9 +33,15 @@ struct CoupledOptions {
   double exchange = 0, filter_time = 0.01, datum_time = 0.005, ramp = 0.01;
   double period = 0;                          // s, of the heart; 0 where there is none
   double background = 0;                      // Pa, p_b
+  std::optional<double> start_pressure = {};  // Pa, of the blood; without it that of the network
+  double wall_compliance = 0;                 // m3/Pa, of walls that move
   bool force = false;                         // run an unstable choice all the same
   std::function<void(double)> progress = {};  // share of the filling done
 };
+
+/// Makes the wall of a vessel whose walls move; empty where they are rigid.
+template <int D>
+using MakeWall = std::function<std::unique_ptr<sph3d::DeformableWall<D>>(const sph3d::Model<D>&)>;
 
 /// What an opening shows after a step; flow and pressure are means over the last two milliseconds.
 struct PortReading {
@@ -48,12 +55,13 @@ class CoupledRun {
  public:
   CoupledRun(const sph3d::Lumen<D>& lumen, const sph3d::FluidOptions<D>& fluid,
              const std::vector<sph3d::Profile>& profiles, network::Network network,
-             const std::optional<network::Start>& start, const CoupledOptions& options);
+             const std::optional<network::Start>& start, const CoupledOptions& options,
+             const MakeWall<D>& make_wall = {});
 
   /// Goes on where a run of the same case was saved, with the same bits.
   CoupledRun(CoupledState<D> saved, const sph3d::Lumen<D>& lumen, const sph3d::FluidOptions<D>& fluid,
              const std::vector<sph3d::Profile>& profiles, network::Network network,
-             const CoupledOptions& options);
+             const CoupledOptions& options, const MakeWall<D>& make_wall = {});
   CoupledState<D> save() const;
 
   /// One advection step, not beyond t_end; then an exchange if one is due.

@@ -66,7 +66,9 @@ Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::ve
 template <int D>
 void Vessel<D>::set_wall(std::unique_ptr<DeformableWall<D>> wall) {
   wall_ = std::move(wall);
-  state_.wall = wall_->rest();
+  if (state_.wall.shell.blocks.empty()) state_.wall = wall_->rest(state_.ports.front().pressure);
+  OSTIUM_ASSERT(state_.wall.velocity.size() == wall_->shell().count(), "a state of {} wall particles for {}",
+                state_.wall.velocity.size(), wall_->shell().count());
   work_.wall_motion = &wall_->motion();
 }
 
@@ -77,6 +79,7 @@ void Vessel<D>::start_datum(const PressureDatum& datum) {
     port.cap_pressure = port.face_pressure + datum.reference;
     port.pressure = port.cap_pressure;
   }
+  if (wall_) state_.wall = wall_->rest(state_.ports.front().pressure);
 }
 
 template <int D>

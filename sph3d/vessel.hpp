@@ -55,7 +55,7 @@ class Vessel {
   SavedVessel<D> saved() const { return {state_, model_->number_density}; }
   void load(VesselState<D> state) { state_ = std::move(state); }
 
-  /// The wall moves from now on. Before the first step.
+  /// The wall moves from now on: before the first step, or from where its state was saved.
   void set_wall(std::unique_ptr<DeformableWall<D>> wall);
   const DeformableWall<D>* wall() const { return wall_.get(); }
 

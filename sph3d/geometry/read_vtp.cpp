@@ -3,15 +3,20 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStaticPointLocator.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <cmath>
 #include <fstream>
 #include <regex>
 
+#include "core/did_you_mean.hpp"
 #include "core/error.hpp"
 #include "sph3d/geometry/soup.hpp"
+#include "sph3d/geometry/surface_array.hpp"
 #include "sph3d/geometry/vtk_messages.hpp"
 
 namespace ostium::sph3d {
@@ -117,6 +122,50 @@ Soup read_vtp(const std::filesystem::path& file) {
   if (soup.facets.empty()) user_error("{}: the VTP file holds no polygon", file.string());
   read_face_names(soup, file);
   return soup;
+}
+
+namespace {
+
+vtkDataArray* point_array(vtkPolyData& data, const std::string& name, const std::filesystem::path& file) {
+  std::vector<std::string> names;
+  for (int k = 0; k < data.GetPointData()->GetNumberOfArrays(); ++k)
+    if (const char* known = data.GetPointData()->GetArrayName(k)) names.emplace_back(known);
+  auto* values = data.GetPointData()->GetArray(name.c_str());
+  if (!values)
+    user_error("{}: has no point array \"{}\"{}", file.string(), name,
+               names.empty() ? "; it has none at all" : did_you_mean(name, names));
+  if (values->GetNumberOfComponents() != 1)
+    user_error("{}: the point array \"{}\" has {} components, one is wanted", file.string(), name,
+               values->GetNumberOfComponents());
+  if (values->GetNumberOfTuples() != data.GetNumberOfPoints())
+    user_error("{}: the point array \"{}\" has {} values for {} points; the file is damaged", file.string(),
+               name, values->GetNumberOfTuples(), data.GetNumberOfPoints());
+  return values;
+}
+
+}  // namespace
+
+std::vector<double> surface_array(const std::filesystem::path& file, const std::string& name,
+                                  double length_unit, const Surface<3>& surface) {
+  if (file.extension() != ".vtp")
+    user_error("{}: only VTP files have point arrays; save the surface as VTP with \"{}\" in it",
+               file.string(), name);
+  check_announced_sizes(file);
+  const auto data = load(file);
+  auto* values = point_array(*data, name, file);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(data);
+  locator->BuildLocator();
+  std::vector<double> result;
+  for (const Vec3& x : surface.points) {
+    const Vec3 in_file = x / length_unit;
+    const double value = values->GetComponent(locator->FindClosestPoint(in_file.data()), 0);
+    if (!std::isfinite(value))
+      user_error("{}: the point array \"{}\" is not a number near ({:.4g}, {:.4g}, {:.4g})", file.string(),
+                 name, in_file.x(), in_file.y(), in_file.z());
+    result.push_back(value);
+  }
+  return result;
 }
 
 }  // namespace ostium::sph3d

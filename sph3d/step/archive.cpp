@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "sph3d/shell/archive.hpp"
+
 namespace ostium::sph3d {
 
 // A structure that has grown is not to be saved without what is new in it.
@@ -53,6 +55,13 @@ void archive(Archive& a, FluidState<D>& fluid) {
 }
 
 template <int D>
+void archive(Archive& a, DeformableWallState<D>& wall) {
+  a.part("shell", [&] { archive(a, wall.shell); });
+  a.template records<double>("velocity", wall.velocity);
+  a("withheld", wall.withheld);
+}
+
+template <int D>
 void archive(Archive& a, VesselState<D>& state) {
   a("time", state.time);
   a("max_speed", state.max_speed);
@@ -64,6 +73,9 @@ void archive(Archive& a, VesselState<D>& state) {
   a.part("fluid", [&] { archive(a, state.fluid); });
   a.part("datum", [&] { archive(a, state.datum); });
   a.list("ports", state.ports, [&](PortState& port) { archive(a, port); });
+  bool moves = !state.wall.shell.blocks.empty();
+  a("wall_moves", moves);
+  if (moves) a.part("wall", [&] { archive(a, state.wall); });
 }
 
 template <int D>

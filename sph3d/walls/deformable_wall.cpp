@@ -26,15 +26,16 @@ double longest_step_of_support(const ShellModel<D>& model) {
 }  // namespace
 
 template <int D>
-DeformableWall<D>::DeformableWall(const ShellCloud<D>& cloud, std::vector<Vec<D>> contact,
-                                  const ShellOptions& options, double reach, double outside_pressure)
-    : model_(cloud, options),
-      outside_pressure_(outside_pressure),
+DeformableWall<D>::DeformableWall(ShellModel<D> shell, std::vector<Vec<D>> contact, double reach,
+                                  const SurroundingsOfWall& around)
+    : model_(std::move(shell)),
+      around_(around),
       longest_step_(std::min(stable_step(model_), longest_step_of_support(model_))),
-      motion_(contact, cloud.normal, options.spacing, reach),
+      motion_(contact, model_.cloud.normal, model_.options.spacing, reach),
       work_(model_),
       load_(no_load(model_)),
-      force_(cloud.count(), Vec<D>::Zero()) {
+      force_(model_.count(), Vec<D>::Zero()) {
+  const ShellCloud<D>& cloud = model_.cloud;
   OSTIUM_ASSERT(contact.size() == cloud.count(), "{} contact points, {} shell particles", contact.size(),
                 cloud.count());
   for (std::size_t a = 0; a < contact.size(); ++a)
@@ -42,8 +43,9 @@ DeformableWall<D>::DeformableWall(const ShellCloud<D>& cloud, std::vector<Vec<D>
 }
 
 template <int D>
-DeformableWallState<D> DeformableWall<D>::rest() const {
-  return {sph3d::rest(model_), std::vector<Vec<D>>(model_.count(), Vec<D>::Zero())};
+DeformableWallState<D> DeformableWall<D>::rest(double pressure) const {
+  return {sph3d::rest(model_), std::vector<Vec<D>>(model_.count(), Vec<D>::Zero()),
+          pressure - around_.rest_pressure};
 }
 
 template <int D>
@@ -108,9 +110,11 @@ void DeformableWall<D>::after_density(const Model<D>& model, const FluidState<D>
 template <int D>
 void DeformableWall<D>::step(DeformableWallState<D>& state, double dt, double reference_pressure) {
   motion_.gather(force_, [&](std::size_t i) { return on_wall_[i]; });
+  const double t = around_.ramp > 0.0 ? std::min(state.shell.time / around_.ramp, 1.0) : 1.0;
+  const double withheld = 0.5 * (1.0 + std::cos(pi * t)) * state.withheld;
   for (std::size_t a = 0; a < model_.count(); ++a) {
     for (int d = 0; d < D; ++d) load_[a / 8].force[d][a % 8] = force_[a][d];
-    load_[a / 8].pressure[a % 8] = reference_pressure - outside_pressure_;
+    load_[a / 8].pressure[a % 8] = reference_pressure - around_.outside_pressure - withheld;
   }
   const std::vector<Vec<D>> before = contacts(state.shell);
   const double stable = std::min(longest_step_, stable_step(model_, state.shell, work_));

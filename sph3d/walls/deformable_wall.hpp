@@ -7,7 +7,8 @@
 ///
 ///   symbol    meaning                                                                  unit
 ///   p_ref     part of the blood's pressure that the fluid does not carry (PressureDatum)   Pa
-///   p_out     pressure of the tissue around the vessel, where the shell has no stress      Pa
+///   p_out     pressure of the tissue around the vessel                                     Pa
+///   withheld  part of the first load that is let go within `ramp`, so that the wall does not ring       Pa, s
 ///   contact   point on the surface that the blood touches: r - d n, with the shell's pseudo-normal n   m
 ///
 /// Every force on the wall is the opposite of one on the fluid. Source: docs/theory/walls.md, "Walls that move". Not
@@ -23,14 +24,22 @@
 
 namespace ostium::sph3d {
 
+///   outside_pressure   p_out                                                            Pa
+///   rest_pressure      of the blood at which the shell is in equilibrium as it is       Pa
+///   ramp               over which the rest of the first load comes                      s
+struct SurroundingsOfWall {
+  double outside_pressure = 0, rest_pressure = 0, ramp = 0;
+};
+
 template <int D>
 class DeformableWall {
  public:
-  /// `contact` of every particle of the cloud, in the reference; reach of the fluid's kernel; p_out.
-  DeformableWall(const ShellCloud<D>& cloud, std::vector<Vec<D>> contact, const ShellOptions& options,
-                 double reach, double outside_pressure);
+  /// `contact` of every particle of the shell, in the reference; reach of the fluid's kernel.
+  DeformableWall(ShellModel<D> shell, std::vector<Vec<D>> contact, double reach,
+                 const SurroundingsOfWall& around);
 
-  DeformableWallState<D> rest() const;
+  /// At rest in the reference, before blood of this pressure.
+  DeformableWallState<D> rest(double pressure) const;
 
   /// Where the blood's particles are now: once per advection step.
   void attach(const DeformableWallState<D>& state, const FluidState<D>& fluid);
@@ -48,7 +57,8 @@ class DeformableWall {
  private:
   ShellModel<D> model_;
   std::vector<double> depth_;  // of the mid-surface behind the contact point
-  double outside_pressure_, longest_step_;
+  SurroundingsOfWall around_;
+  double longest_step_;
   WallMotion<D> motion_;
   ShellWorkspace<D> work_;
   std::vector<ShellLoad<D>> load_;

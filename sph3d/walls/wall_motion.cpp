@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sph3d/fluid/wendland.hpp"
 #include "sph3d/geometry/point_grid.hpp"
 #include "sph3d/step/lane_access.hpp"
 
@@ -35,6 +34,12 @@ bool ball_around(const FluidState<D>& fluid, std::size_t c, Vec<D>& middle, doub
   return true;
 }
 
+/// The kernel's shape: 1 at 0, zero from 1 on.
+double bell(double r) {
+  const double t = std::max(1.0 - r, 0.0), t2 = t * t;
+  return t2 * t2 * (1.0 + 4.0 * r);
+}
+
 }  // namespace
 
 template <int D>
@@ -47,34 +52,36 @@ WallMotion<D>::WallMotion(std::vector<Vec<D>> reference, std::vector<Vec<D>> nor
 
 /// Weights about the foot, made exact for linear fields along the wall. Returns their number.
 template <int D>
-int WallMotion<D>::find_weights(const Vec<D>& x, const std::vector<std::int32_t>& near,
+int WallMotion<D>::find_weights(const Vec<D>& x, const std::vector<Near>& near,
                                 std::vector<Entry>& out) const {
-  std::int32_t nearest = -1;
+  const Near* nearest = nullptr;
   double least = felt_ * felt_ + spacing_ * spacing_;
-  for (const std::int32_t a : near) {
-    const Vec<D> apart = pose_[a].position - x;
-    if (apart.squaredNorm() >= least || apart.dot(pose_[a].normal) < -0.5 * spacing_) continue;
-    nearest = a, least = apart.squaredNorm();
+  for (const Near& a : near) {
+    const Vec<D> apart = a.position - x;
+    const double distance2 = apart.squaredNorm();
+    if (distance2 >= least || apart.dot(a.normal) < -0.5 * spacing_) continue;
+    nearest = &a, least = distance2;
   }
-  if (nearest < 0) return 0;
-  const Vec<D>& n = pose_[nearest].normal;
-  const double depth = (pose_[nearest].position - x).dot(n);
+  if (!nearest) return 0;
+  const Vec<D>& n = nearest->normal;
+  const double depth = (nearest->position - x).dot(n);
   if (depth > felt_) return 0;
   const Vec<D> foot = x + depth * n;
-  const Wendland<D> kernel{width * spacing_};
+  const double support = 2.0 * width * spacing_;
   const std::size_t begin = out.size();
   double whole = 0;
   Vec<D> first = Vec<D>::Zero();
-  Mat<D> second = 1e-3 * spacing_ * spacing_ * kernel.value(0) * Mat<D>::Identity() +
-                  1e6 * kernel.value(0) * spacing_ * spacing_ * n * n.transpose();
-  for (const std::int32_t a : near) {
-    const Vec<D> apart = pose_[a].position - foot;
-    const double w = kernel.value(apart.norm());
-    if (w <= 0.0 || pose_[a].normal.dot(n) <= 0.0) continue;
-    out.push_back({a, static_cast<float>(w)});
+  Mat<D> second = spacing_ * spacing_ * (1e-3 * Mat<D>::Identity() + 1e6 * n * n.transpose());
+  for (const Near& a : near) {
+    const Vec<D> apart = a.position - foot;
+    const double distance2 = apart.squaredNorm();
+    if (distance2 >= support * support || a.normal.dot(n) <= 0.0) continue;
+    const double w = bell(std::sqrt(distance2) / support);
+    out.push_back({a.index, static_cast<float>(w)});
     whole += w, first += w * apart, second += w * apart * apart.transpose();
   }
-  const Vec<D> slope = second.ldlt().solve(first);  // no part along the normal
+  if (whole <= 0.0) return 0;
+  const Vec<D> slope = second.inverse() * first;  // no part along the normal
   const double sum = whole - slope.dot(first);
   for (std::size_t k = begin; k < out.size(); ++k)
     out[k].weight = static_cast<float>(
@@ -98,14 +105,14 @@ void WallMotion<D>::attach(const FluidState<D>& fluid, const std::vector<Vec<D>>
   velocity_.assign(clusters, {});
   moved_.assign(clusters, {});
   storage_.resize(omp_get_max_threads());
-  const double furthest = std::hypot(felt_, 2.0 * width * spacing_), largest = 2.0 * spacing_ + reach_;
+  const double furthest = std::hypot(felt_, 2.0 * width * spacing_), largest = 0.85 * reach_;
   const PointGrid<D> grid(now, furthest + largest);
 #pragma omp parallel
   {
     const auto me = static_cast<std::int32_t>(omp_get_thread_num());
     auto& mine = storage_[me];
     mine.clear();
-    std::vector<std::int32_t> near;
+    std::vector<Near> near;
 #pragma omp for schedule(static)
     for (std::size_t c = 0; c < clusters; ++c) {
       Vec<D> middle;
@@ -115,7 +122,7 @@ void WallMotion<D>::attach(const FluidState<D>& fluid, const std::vector<Vec<D>>
       const auto collect = [&](const Vec<D>& x, double within) {
         near.clear();
         grid.near(x, [&](int a, const Vec<D>& apart) {
-          if (apart.squaredNorm() < within * within) near.push_back(a);
+          if (apart.squaredNorm() < within * within) near.push_back({pose_[a].position, pose_[a].normal, a});
         });
       };
       if (compact) collect(middle, furthest + radius);

@@ -69,7 +69,11 @@ class WallMotion {
     Mat<D> turn;
   };
   const Entry* entries(std::size_t i) const { return storage_[lists_[i].thread].data() + lists_[i].begin; }
-  int find_weights(const Vec<D>& x, const std::vector<std::int32_t>& near, std::vector<Entry>& out) const;
+  struct Near {  // of the wall points beside a cluster, side by side in memory
+    Vec<D> position, normal;
+    std::int32_t index;
+  };
+  int find_weights(const Vec<D>& x, const std::vector<Near>& near, std::vector<Entry>& out) const;
   void transpose();
 
   std::vector<Vec<D>> reference_, reference_normal_;

@@ -42,8 +42,8 @@ struct ChannelOnSprings {
     ShellOptions options{
         .spacing = dp, .density = 1000, .material = SaintVenantKirchhoff({.E = 1e7, .nu = 0.3})};
     options.spring = stiffness, options.dashpot = 2e4;
-    vessel.set_wall(std::make_unique<DeformableWall<2>>(walls.cloud, walls.contact, options,
-                                                        vessel.model().reach(), 0.0));
+    vessel.set_wall(std::make_unique<DeformableWall<2>>(ShellModel<2>(walls.cloud, options), walls.contact,
+                                                        vessel.model().reach(), SurroundingsOfWall{}));
   }
 
   void advance() {
@@ -148,8 +148,8 @@ struct InflatedTube {
       }
     ShellOptions options{.spacing = dp, .density = rho, .material = SaintVenantKirchhoff({.E = E, .nu = nu})};
     options.dashpot = 1e4;
-    vessel.set_wall(
-        std::make_unique<DeformableWall<3>>(cloud, contact, options, vessel.model().reach(), 0.0));
+    vessel.set_wall(std::make_unique<DeformableWall<3>>(ShellModel<3>(cloud, options), contact,
+                                                        vessel.model().reach(), SurroundingsOfWall{}));
   }
 
   void advance() {

@@ -162,9 +162,10 @@ void Vessel<D>::acoustic_step(double dt, bool last, std::span<const Drive> drive
     const Stopwatch watch(seconds.driving);
     drive_ports(*model_, state_, work_, drives, dt, filter_time);
   }
-  if (wall_) {
+  if (wall_) {  // under the pressure of this kick, and the density feels how it moves: nobody answers late
     const Stopwatch watch(seconds.walls);
     wall_->after_kick(*model_, state_.fluid);
+    wall_->step(state_.wall, dt, state_.datum.reference);
   }
   {
     const Stopwatch watch(seconds.acoustic);
@@ -177,7 +178,7 @@ void Vessel<D>::acoustic_step(double dt, bool last, std::span<const Drive> drive
   if (wall_) {
     const Stopwatch watch(seconds.walls);
     wall_->after_density(*model_, state_.fluid);
-    wall_->step(state_.wall, dt, state_.datum.reference);
+    if (last) wall_->detach(state_.wall);
   }
   state_.time += dt;
 }

@@ -58,6 +58,7 @@ template <int D>
 void archive(Archive& a, DeformableWallState<D>& wall) {
   a.part("shell", [&] { archive(a, wall.shell); });
   a.template records<double>("velocity", wall.velocity);
+  a.template records<double>("impact", wall.impact);
   a("withheld", wall.withheld);
 }
 

@@ -44,8 +44,8 @@ DeformableWall<D>::DeformableWall(ShellModel<D> shell, std::vector<Vec<D>> conta
 
 template <int D>
 DeformableWallState<D> DeformableWall<D>::rest(double pressure) const {
-  return {sph3d::rest(model_), std::vector<Vec<D>>(model_.count(), Vec<D>::Zero()),
-          pressure - around_.rest_pressure};
+  const std::vector<Vec<D>> none(model_.count(), Vec<D>::Zero());
+  return {sph3d::rest(model_), none, none, pressure - around_.rest_pressure};
 }
 
 template <int D>
@@ -68,6 +68,7 @@ void DeformableWall<D>::attach(const DeformableWallState<D>& state, const FluidS
   motion_.attach(fluid, contacts(state.shell), normals(state.shell));
   motion_.set_velocities(state.velocity);
   on_wall_.assign(fluid.places(), Vec<D>::Zero());
+  impact_.assign(fluid.places(), Vec<D>::Zero());
 }
 
 namespace {
@@ -89,9 +90,9 @@ void DeformableWall<D>::after_kick(const Model<D>& model, const FluidState<D>& f
   for_attached(fluid, motion_, [&](std::size_t cluster, std::size_t lane, std::size_t i) {
     const Cluster<D>& own = fluid.clusters[cluster];
     const Vec<D> slip = lane_vector<D>(own.v, lane) - lane_vector<D>(motion_.velocity()[cluster].v, lane);
-    on_wall_[i] =
-        mass * (2.0 * c * c * own.psi[lane] * (lane_matrix<D>(own.B, lane) * lane_vector<D>(own.wall, lane)) +
-                double(own.friction[lane]) * slip);
+    on_wall_[i] = impact_[i] + mass * (2.0 * c * c * own.psi[lane] *
+                                           (lane_matrix<D>(own.B, lane) * lane_vector<D>(own.wall, lane)) +
+                                       double(own.friction[lane]) * slip);
   });
 }
 
@@ -103,7 +104,7 @@ void DeformableWall<D>::after_density(const Model<D>& model, const FluidState<D>
     const Vec<D> wall = lane_vector<D>(own.wall, lane),
                  slip = lane_vector<D>(own.v, lane) - lane_vector<D>(motion_.velocity()[cluster].v, lane);
     const double impact = 2.0 * std::max(0.0, slip.dot(wall)) / (wall.norm() + 1e-12);
-    on_wall_[i] += mass * impact * std::min(model.options.limiter * impact, c) * wall;
+    impact_[i] = mass * impact * std::min(model.options.limiter * impact, c) * wall;
   });
 }
 
@@ -113,6 +114,8 @@ void DeformableWall<D>::step(DeformableWallState<D>& state, double dt, double re
   const double t = around_.ramp > 0.0 ? std::min(state.shell.time / around_.ramp, 1.0) : 1.0;
   const double withheld = 0.5 * (1.0 + std::cos(pi * t)) * state.withheld;
   for (std::size_t a = 0; a < model_.count(); ++a) {
+    force_[a] += state.impact[a];
+    state.impact[a].setZero();
     for (int d = 0; d < D; ++d) load_[a / 8].force[d][a % 8] = force_[a][d];
     load_[a / 8].pressure[a % 8] = reference_pressure - around_.outside_pressure - withheld;
   }
@@ -124,6 +127,11 @@ void DeformableWall<D>::step(DeformableWallState<D>& state, double dt, double re
   for (std::size_t a = 0; a < after.size(); ++a) state.velocity[a] = (after[a] - before[a]) / dt;
   motion_.set_velocities(state.velocity);
   motion_.drift(dt);
+}
+
+template <int D>
+void DeformableWall<D>::detach(DeformableWallState<D>& state) const {
+  motion_.gather(state.impact, [&](std::size_t i) { return impact_[i]; });
 }
 
 template class DeformableWall<2>;

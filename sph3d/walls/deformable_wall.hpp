@@ -1,9 +1,9 @@
 /// A vessel's wall as a shell in the blood's stream: what the blood does to it, and how it moves in answer.
 ///
-///   after the kick      F_i = m (2 P_i B_i grad S + f_i (v_i - v_w))        pressure and friction, onto the wall
-///   after the density   F_i += m min(3 u, c) u grad S,  u = 2 max(0, (v_i - v_w).n)    impact, felt in the next kick
+///   after the kick      F_i = m (2 P_i B_i grad S + f_i (v_i - v_w)) + the last impact        onto the wall
 ///   then                the shell steps to the end of the acoustic step under F_a = sum_i w_ia F_i and the pressure
 ///                       p_ref - p_out, and its wall points have moved with v_w = (x_end - x_start) / dt
+///   after the density   impact m min(3 u, c) u grad S,  u = 2 max(0, (v_i - v_w).n)     felt in the next kick
 ///
 ///   symbol    meaning                                                                  unit
 ///   p_ref     part of the blood's pressure that the fluid does not carry (PressureDatum)   Pa
@@ -44,8 +44,10 @@ class DeformableWall {
   /// Where the blood's particles are now: once per advection step.
   void attach(const DeformableWallState<D>& state, const FluidState<D>& fluid);
   void after_kick(const Model<D>& model, const FluidState<D>& fluid);
-  void after_density(const Model<D>& model, const FluidState<D>& fluid);
   void step(DeformableWallState<D>& state, double dt, double reference_pressure);
+  void after_density(const Model<D>& model, const FluidState<D>& fluid);
+  /// Keeps the last impact by wall points, since the particles' places are theirs for one advection step only.
+  void detach(DeformableWallState<D>& state) const;
 
   const WallMotion<D>& motion() const { return motion_; }
   const ShellModel<D>& shell() const { return model_; }
@@ -62,7 +64,7 @@ class DeformableWall {
   WallMotion<D> motion_;
   ShellWorkspace<D> work_;
   std::vector<ShellLoad<D>> load_;
-  std::vector<Vec<D>> on_wall_;  // F_i of each place
+  std::vector<Vec<D>> on_wall_, impact_;  // F_i of each place, and the part that is felt in the next kick
   std::vector<Vec<D>> force_;
 };
 

@@ -10,6 +10,7 @@ template <int D>
 struct DeformableWallState {
   ShellState<D> shell;
   std::vector<Vec<D>> velocity;  ///< of the contact points during the last acoustic step, m/s
+  std::vector<Vec<D>> impact;    ///< force on them that the next kick brings, N
   double withheld = 0;           ///< part of the load at the start that comes by and by, Pa
 };
 

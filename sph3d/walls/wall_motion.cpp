@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sph3d/geometry/point_grid.hpp"
 #include "sph3d/step/lane_access.hpp"
+#include "sph3d/walls/ball_tree.hpp"
 
 namespace ostium::sph3d {
 
@@ -105,8 +105,8 @@ void WallMotion<D>::attach(const FluidState<D>& fluid, const std::vector<Vec<D>>
   velocity_.assign(clusters, {});
   moved_.assign(clusters, {});
   storage_.resize(omp_get_max_threads());
-  const double furthest = std::hypot(felt_, 2.0 * width * spacing_), largest = 0.85 * reach_;
-  const PointGrid<D> grid(now, furthest + largest);
+  const double furthest = std::hypot(felt_, 2.0 * width * spacing_), largest = reach_;
+  const BallTree<D> tree(now);
 #pragma omp parallel
   {
     const auto me = static_cast<std::int32_t>(omp_get_thread_num());
@@ -121,8 +121,8 @@ void WallMotion<D>::attach(const FluidState<D>& fluid, const std::vector<Vec<D>>
       const bool compact = radius < largest;
       const auto collect = [&](const Vec<D>& x, double within) {
         near.clear();
-        grid.near(x, [&](int a, const Vec<D>& apart) {
-          if (apart.squaredNorm() < within * within) near.push_back({pose_[a].position, pose_[a].normal, a});
+        tree.near(x, within, [&](std::int32_t a) {
+          near.push_back({pose_[a].position, pose_[a].normal, a});
         });
       };
       if (compact) collect(middle, furthest + radius);

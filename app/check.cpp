@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "app/estimate.hpp"
-#include "app/wall_setup.hpp"
 #include "core/log.hpp"
 #include "lumped/block.hpp"
 #include "sph3d/geometry/read.hpp"
@@ -33,7 +32,7 @@ std::string vessel_part(const Case& study, int threads) {
                             ? fmt::format("flow prescribed by the network, {} profile",
                                           s.profiles[k] == sph3d::Profile::plug ? "plug" : "parabolic")
                             : "pressure of the network");
-  if (moves(study)) text += fmt::format("  wall       a shell of {} particles\n", check_wall(study, s.lumen));
+  if (s.wall) text += fmt::format("  wall       a shell of {} particles\n", s.wall->count());
   const Estimate e = estimate(study, s, nominal_speed(threads));
   for (const auto& line : estimate_lines(study, e, threads)) text += line + "\n";
   return text;

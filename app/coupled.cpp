@@ -85,10 +85,10 @@ class Session {
     };
     network::Network network(setup.model, setup.ports);
     coupling::MakeWall<D> wall;
-    if (moves(study))
+    if (setup.wall)
       wall = [&](const sph3d::Model<D>& model) {
         filling.finish();
-        return make_wall(study, model, start_ramp(scales), quiet);
+        return make_wall(study, *setup.wall, model, start_ramp(scales), quiet);
       };
     if (saved) return {saved->run, setup.lumen, fluid, setup.profiles, std::move(network), options, wall};
     return {setup.lumen, fluid, setup.profiles, std::move(network), start, options, wall};

@@ -1,11 +1,11 @@
 #include "app/wall_setup.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "sph3d/geometry/surface_array.hpp"
-#include "sph3d/shell/generate.hpp"
 
 namespace ostium::app {
 namespace {
@@ -80,38 +80,22 @@ ShellOptions shell_options(const VesselCase& vessel) {
   return options;
 }
 
-template <int D>
-WallShell<D> shell_of_case(const VesselCase& vessel, const Lumen<D>& lumen) {
-  const WallCase& w = vessel.wall;
-  ShellWallOptions options{.spacing = w.spacing.value_or(vessel.spacing),
-                           .fluid_spacing = vessel.spacing,
-                           .thickness = thickness_of(vessel, lumen)};
-  if (w.varying_stiffness) options.stiffness = quantity_of(*w.varying_stiffness, vessel, lumen);
-  options.ends = w.ends.value_or(WallEnds::clamped);
-  options.clamp_length = w.clamp_length.value_or(0.0);
-  try {
-    return shell_of(lumen, options);
-  } catch (const UserError& error) {
-    vessel.origin.at("wall").error("{}", error.what());
-  }
-}
-
-/// The wall answers the blood one acoustic step late: it has to be heavier than the blood that sound crosses meanwhile.
-template <int D>
-void check_exchange(const WallCase& wall, const Model<D>& model, const ShellModel<D>& shell) {
-  constexpr double most = 2.0;
-  const FluidOptions<D>& o = model.options;
-  double thinnest = shell.cloud.thickness.front();
-  for (const double t : shell.cloud.thickness) thinnest = std::min(thinnest, t);
-  const double blood = o.density * o.acoustic_cfl * model.kernel.h, mass = shell.options.density * thinnest;
+/// The wall answers the blood one acoustic step at a time: it has to be heavier than the blood that sound crosses meanwhile.
+void check_exchange(const Case& study, const std::vector<double>& thickness) {
+  constexpr double most = 2.0, smoothing_ratio = 1.3;
+  const VesselCase& vessel = *study.vessel;
+  const double thinnest = *std::min_element(thickness.begin(), thickness.end()),
+               cfl = study.numerics.acoustic_cfl,
+               blood = study.fluid.density * cfl * smoothing_ratio * vessel.spacing,
+               mass = vessel.wall.density.value_or(usual_density) * thinnest;
   if (blood <= most * mass) return;
-  wall.origin.error(
+  vessel.wall.origin.error(
       "the wall, {:.3g} mm thick, is too light for blood of this spacing: it weighs {:.3g} kg/m2, the blood "
-      "that sound crosses in "
-      "an acoustic step {:.3g} kg/m2, and more than twice as much is not stable; set vessel.spacing to "
-      "{:.2g} mm or less, or "
-      "numerics.acoustic_cfl to {:.2g}",
-      1e3 * thinnest, mass, blood, 1e3 * o.dp * most * mass / blood, o.acoustic_cfl * most * mass / blood);
+      "that "
+      "sound crosses in an acoustic step {:.3g} kg/m2, and more than twice as much is not stable; set "
+      "vessel.spacing "
+      "to {:.2g} mm or less, or numerics.acoustic_cfl to {:.2g}",
+      1e3 * thinnest, mass, blood, 1e3 * vessel.spacing * most * mass / blood, cfl * most * mass / blood);
 }
 
 }  // namespace
@@ -131,15 +115,32 @@ WallScales wall_scales(const Case& study, const Lumen<D>& lumen) {
 }
 
 template <int D>
-std::unique_ptr<DeformableWall<D>> make_wall(const Case& study, const Model<D>& model, double ramp,
-                                             bool quiet) {
+WallShell<D> wall_shell(const Case& study, const Lumen<D>& lumen) {
   const VesselCase& vessel = *study.vessel;
-  const WallShell<D> wall = shell_of_case(vessel, model.lumen);
-  ShellModel<D> shell(wall.cloud, shell_options(vessel));
-  check_exchange(vessel.wall, model, shell);
-  SurroundingsOfWall around{.outside_pressure = vessel.wall.outside_pressure.value_or(0.0), .ramp = ramp};
-  around.rest_pressure = around.outside_pressure;
-  if (vessel.wall.prestress) around.rest_pressure = vessel.wall.prestress->pressure;
+  const WallCase& w = vessel.wall;
+  ShellWallOptions options{.spacing = w.spacing.value_or(vessel.spacing),
+                           .fluid_spacing = vessel.spacing,
+                           .thickness = thickness_of(vessel, lumen)};
+  if (w.varying_stiffness) options.stiffness = quantity_of(*w.varying_stiffness, vessel, lumen);
+  options.ends = w.ends.value_or(WallEnds::clamped);
+  options.clamp_length = w.clamp_length.value_or(0.0);
+  WallShell<D> shell;
+  try {
+    shell = shell_of(lumen, options);
+  } catch (const UserError& error) {
+    vessel.origin.at("wall").error("{}", error.what());
+  }
+  check_exchange(study, shell.cloud.thickness);
+  return shell;
+}
+
+template <int D>
+std::unique_ptr<DeformableWall<D>> make_wall(const Case& study, const WallShell<D>& wall,
+                                             const Model<D>& model, double ramp, bool quiet) {
+  const WallCase& w = study.vessel->wall;
+  ShellModel<D> shell(wall.cloud, shell_options(*study.vessel));
+  SurroundingsOfWall around{.outside_pressure = w.outside_pressure.value_or(0.0), .ramp = ramp};
+  around.rest_pressure = w.prestress ? w.prestress->pressure : around.outside_pressure;
   (void)quiet;
   return std::make_unique<DeformableWall<D>>(std::move(shell), wall.contact, model.reach(), around);
 }
@@ -167,18 +168,15 @@ std::string wall_text(const WallScales& scales, double sound_speed, const Deform
   return text;
 }
 
-template <int D>
-std::size_t check_wall(const Case& study, const Lumen<D>& lumen) {
-  return shell_of_case(*study.vessel, lumen).count();
-}
-
 template WallScales wall_scales(const Case&, const Lumen<2>&);
 template WallScales wall_scales(const Case&, const Lumen<3>&);
-template std::unique_ptr<DeformableWall<2>> make_wall(const Case&, const Model<2>&, double, bool);
-template std::unique_ptr<DeformableWall<3>> make_wall(const Case&, const Model<3>&, double, bool);
+template WallShell<2> wall_shell(const Case&, const Lumen<2>&);
+template WallShell<3> wall_shell(const Case&, const Lumen<3>&);
+template std::unique_ptr<DeformableWall<2>> make_wall(const Case&, const WallShell<2>&, const Model<2>&,
+                                                      double, bool);
+template std::unique_ptr<DeformableWall<3>> make_wall(const Case&, const WallShell<3>&, const Model<3>&,
+                                                      double, bool);
 template std::string wall_text(const WallScales&, double, const DeformableWall<2>&);
 template std::string wall_text(const WallScales&, double, const DeformableWall<3>&);
-template std::size_t check_wall(const Case&, const Lumen<2>&);
-template std::size_t check_wall(const Case&, const Lumen<3>&);
 
 }  // namespace ostium::app

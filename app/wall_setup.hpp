@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "app/case.hpp"
+#include "sph3d/shell/generate.hpp"
 #include "sph3d/step/model.hpp"
 #include "sph3d/walls/deformable_wall.hpp"
 
@@ -30,17 +31,17 @@ WallScales wall_scales(const Case& study, const sph3d::Lumen<D>& lumen);
 
 inline bool moves(const Case& study) { return study.vessel->wall.model != WallModel::rigid; }
 
+/// The shell of the case, with errors at their place in it.
+template <int D>
+sph3d::WallShell<D> wall_shell(const Case& study, const sph3d::Lumen<D>& lumen);
+
 /// ramp: s, within which the first load comes.
 template <int D>
-std::unique_ptr<sph3d::DeformableWall<D>> make_wall(const Case& study, const sph3d::Model<D>& model,
-                                                    double ramp, bool quiet);
+std::unique_ptr<sph3d::DeformableWall<D>> make_wall(const Case& study, const sph3d::WallShell<D>& shell,
+                                                    const sph3d::Model<D>& model, double ramp, bool quiet);
 
 /// What the wall is, how fast its pulse wave runs and what it stores; some lines for the start of a run.
 template <int D>
 std::string wall_text(const WallScales& scales, double sound_speed, const sph3d::DeformableWall<D>& wall);
-
-/// The shell of the case, only to see whether it can be made; returns its number of particles.
-template <int D>
-std::size_t check_wall(const Case& study, const sph3d::Lumen<D>& lumen);
 
 }  // namespace ostium::app

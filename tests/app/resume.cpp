@@ -117,6 +117,19 @@ TEST_F(Resume, ACoupledRunIn3dGoesOnWithTheSameBytes) {
   expect_same_bytes({"ports.csv", "network.csv", "balance.csv"});
 }
 
+TEST_F(Resume, AWallThatMovesGoesOnWithTheSameBytes) {
+  const std::string spacing = "  spacing: 0.6 mm\n", yaml = channel;
+  const auto at = yaml.find(spacing) + spacing.size();
+  write("case.yaml", yaml.substr(0, at) +
+                         "  wall: {model: shell, thickness: 0.6 mm, material: {E: 5 MPa, nu: 0.45}, "
+                         "outside_pressure: 6 kPa, "
+                         "support: {spring: 2e7 Pa/m, dashpot: 1e4 Pa.s/m}}\n" +
+                         yaml.substr(at));
+  interrupt("--threads 2");
+  finish(0.05, 0.02);
+  expect_same_bytes({"ports.csv", "network.csv", "balance.csv"});
+}
+
 TEST_F(Resume, ANetworkAloneGoesOnWithTheSameBytes) {
   write("case.yaml", rcr);
   interrupt();
@@ -201,7 +214,7 @@ TEST_F(Resume, FromAnotherFormat) {
   writer.finish();
   EXPECT_THAT(
       refused(),
-      HasSubstr("this checkpoint has format 99 (ostium 9.9), this program reads format 1; resume with "
+      HasSubstr("this checkpoint has format 99 (ostium 9.9), this program reads format 2; resume with "
                 "the program that wrote it"));
 }
 

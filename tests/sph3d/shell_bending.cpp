@@ -172,6 +172,33 @@ TEST(ShellBending, WarnsWhereLittleIsBentTooTightly) {
   EXPECT_THAT(refusal(lumen, strict), HasSubstr("up to 0.1 % would do"));
 }
 
+// A branch that leaves a channel at right angles, with a wall a tenth of its width: two sharp valleys, and the same wall whatever
+// the spacing.
+TEST(ShellBending, SharpCornersOfAPlaneTee) {
+  const std::vector<Vec2> outline{{0, .2}, {.5, .2}, {.5, 0}, {.6, 0}, {.6, .5}, {.5, .5}, {.5, .3}, {0, .3}};
+  const std::vector<OutlineOpening> openings{
+      {.name = "in", .edge = 7}, {.name = "low", .edge = 2}, {.name = "high", .edge = 4}};
+  const auto lumen = polygon_lumen(outline, openings);
+  const Vec2 corner(0.5, 0.2);
+  for (const double dp : {5e-3, 2.5e-3, 1.25e-3}) {
+    const auto shell = shell_of(lumen, {.spacing = dp, .fluid_spacing = dp, .thickness = 0.01});
+    double nearest = 1e300, inset = 1e300;
+    for (std::size_t a = 0; a < shell.count(); ++a) {
+      inset = std::min(inset, (shell.cloud.position[a] - corner).norm() / 0.01);
+      EXPECT_GT(shell.cloud.area[a], 0.55 * shell.contact_area[a]);
+      for (std::size_t b = 0; b < a; ++b)
+        nearest = std::min(nearest, (shell.cloud.position[a] - shell.cloud.position[b]).norm() / dp);
+    }
+    SCOPED_TRACE(testing::Message() << dp << ": nearest " << nearest << ", inset " << inset);
+    EXPECT_GT(nearest, 0.45);
+    EXPECT_GT(inset, 0.5);   // of a plane wall
+    EXPECT_LT(inset, 0.71);  // of a wall with a sharp corner
+    EXPECT_NEAR(shell.bends.ratio, 1.3, 0.1);
+    EXPECT_NEAR(shell.bends.share, 0.022, 0.004);
+    EXPECT_EQ(shell.warnings.size(), 1u);
+  }
+}
+
 /// Largest angle to the tangent of the section, degrees, over the points that `inside` names.
 template <class Axis, class Inside>
 double worst_circumference(const WallShell<3>& shell, Axis axis, Inside inside) {

@@ -12,6 +12,14 @@ void archive(Archive& a, ShellState<D>& state) {
   a.template records<double>("blocks", state.blocks);
 }
 
+template <int D>
+void archive(Archive& a, ShellPrestressField<D>& prestress) {
+  a.template records<double>("prestress", prestress.blocks);
+  a.template records<double>("prestrain", prestress.prestrain);
+}
+
+template void archive(Archive&, ShellPrestressField<2>&);
+template void archive(Archive&, ShellPrestressField<3>&);
 template void archive(Archive&, ShellState<2>&);
 template void archive(Archive&, ShellState<3>&);
 

@@ -8,4 +8,8 @@ namespace ostium::sph3d {
 template <int D>
 void archive(Archive& a, ShellState<D>& state);
 
+/// The stress of the reference, for who would rather keep it than find it anew.
+template <int D>
+void archive(Archive& a, ShellPrestressField<D>& prestress);
+
 }  // namespace ostium::sph3d

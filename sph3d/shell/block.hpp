@@ -78,6 +78,15 @@ struct alignas(64) ShellLoad {
   double pressure[8];  ///< on the inner face, along the current normal, Pa
 };
 
+/// The stress that a wall carries in its reference: derivatives of the energy per reference area by the strains of strain.hpp
+/// and by the zigzag, there and for ever after.
+template <int D>
+struct alignas(64) ShellPrestress {
+  static constexpr int P = tangent_pairs<D>, T = tangents<D>;
+  double traction[3 * P + T][8];  ///< membrane, bending, second, shear       N/m, N, N m, N/m
+  double zigzag[D][8];            ///< along n, then along the tangents x_a   Pa
+};
+
 /// Between the two halves of a step the particle's own part of force and moment; after it the accelerations.
 template <int D>
 struct alignas(64) ShellForce {

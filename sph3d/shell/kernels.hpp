@@ -1,7 +1,7 @@
 /// The two passes of a shell step over blocks [begin, end), compiled for each instruction set.
 ///
 ///   stress   gradients, strains and stresses at a, from the motion around it
-///            reads motion, block (n), load (pressure); writes force (own part), stress, block (strain)
+///            reads motion, block (n), load (pressure), prestress; writes force (own part), stress, block (strain)
 ///   kick     balance of force and moment, support, kick, drift
 ///            reads stress, load; writes block (u, v, n, w), motion, force (accelerations)
 ///
@@ -20,7 +20,8 @@ struct ShellArrays {
   ShellBlock<D>* block;
   ShellMotion* motion;  ///< of each particle
   ShellStress<D>* stress;
-  ShellForce<D>* force;  ///< of each block
+  ShellForce<D>* force;                ///< of each block
+  const ShellPrestress<D>* prestress;  ///< of each block, or null
 };
 
 template <int D>

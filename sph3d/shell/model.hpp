@@ -24,6 +24,7 @@
 #include "sph3d/shell/block.hpp"
 #include "sph3d/shell/cloud.hpp"
 #include "sph3d/shell/reduced_kernel.hpp"
+#include "sph3d/shell/strain.hpp"
 #include "sph3d/structure/material.hpp"
 
 namespace ostium::sph3d {
@@ -38,6 +39,15 @@ struct ShellOptions {
   double spring = 0, dashpot = 0;
   double fibre_angle = 0;
   double cfl = 0.6;
+};
+
+/// What a wall carries in its reference, in equilibrium with a load there (prestress.hpp). Empty: nothing.
+template <int D>
+struct ShellPrestressField {
+  std::vector<ShellPrestress<D>> blocks;               // what the steps read
+  std::vector<ShellStrains<D - 1, double>> prestrain;  // of each particle: the stress at chi is Hooke's of it
+
+  bool empty() const { return blocks.empty(); }
 };
 
 template <int D>
@@ -62,6 +72,7 @@ struct ShellModel {
   std::vector<std::int64_t> row_begin;  // of each particle
   std::vector<std::int32_t> neighbour;
   std::vector<ShellWeight<D>> forward, backward;
+  ShellPrestressField<D> prestress;
   std::size_t guarded = 0;  // particles whose gradient is not exact
 };
 

@@ -1,5 +1,6 @@
 #include "sph3d/shell/recover.hpp"
 
+#include "sph3d/shell/linear_shell.hpp"
 #include "sph3d/shell/through_thickness.hpp"
 
 namespace ostium::sph3d {
@@ -110,17 +111,53 @@ WallStress<D> wall_stress(const ShellModel<D>& model, const ShellState<D>& state
         const double stretch = sheet.thickness_stretch();
         const Eigen::Matrix3d F = deformed_frame<D>(point, z, chi, stretch);
         const double J = std::sqrt((F.transpose() * F).determinant());
-        return WallStress<D>{r.stiffness[lane] / J * F * full(sheet.stress) * F.transpose(), stretch};
+        Sym3<double> S = r.stiffness[lane] * sheet.stress;
+        if (!model.prestress.empty()) S += hooke_at<D>(model, model.prestress.prestrain[a], z, a, chi);
+        return WallStress<D>{1.0 / J * F * full(S) * F.transpose(), stretch};
       },
       model.options.material);
 }
+
+namespace {
+
+/// Work of the tractions of the reference along the strains, and of the force on zigzags.
+template <int D>
+double held_energy(const ShellModel<D>& model, const ShellPoint<D>& point, std::size_t a) {
+  constexpr int T = D - 1, P = tangent_pairs<D>;
+  if (model.prestress.empty()) return 0.0;
+  const auto& held = model.prestress.blocks[a / 8];
+  const std::size_t lane = a % 8;
+  const auto& e = point.strains;
+  double sum = 0.0;
+  for (int i = 0; i < T; ++i) {
+    for (int j = 0; j < T; ++j) {
+      const int k = Sym<T, double>::index(i, j);
+      sum += held.traction[k][lane] * e.membrane.c[k] + held.traction[P + k][lane] * e.bending.c[k] +
+             held.traction[2 * P + k][lane] * e.second.c[k];
+    }
+    sum += held.traction[3 * P + i][lane] * e.shear[i];
+  }
+  return sum;
+}
+
+template <int D>
+double held_zigzag_energy(const ShellModel<D>& model, const ShellPoint<D>& point, std::size_t a) {
+  if (model.prestress.empty()) return 0.0;
+  const auto& held = model.prestress.blocks[a / 8];
+  double sum = held.zigzag[0][a % 8] * point.zigzag.dot(point.n);
+  for (int t = 0; t + 1 < D; ++t) sum += held.zigzag[1 + t][a % 8] * point.zigzag.dot(point.x[t]);
+  return sum;
+}
+
+}  // namespace
 
 template <int D>
 double surface_energy(const ShellModel<D>& model, const ShellState<D>& state, std::size_t a) {
   const ShellPoint<D> point(model, state, a);
   const auto& r = model.reference[a / 8];
   const std::size_t lane = a % 8;
-  return r.stiffness[lane] * std::visit(
+  return held_energy(model, point, a) +
+         r.stiffness[lane] * std::visit(
                                  [&](const auto& law) {
                                    return shell_energy<D - 1>(law, fibres_at<D>(r, lane), point.strains,
                                                               point.curvature, r.thickness[lane],
@@ -138,7 +175,8 @@ ShellEnergies energies(const ShellModel<D>& model, const ShellState<D>& state) {
     const double within = r.hourglass_stiffness[0][a % 8], across = r.hourglass_stiffness[1][a % 8] - within;
     const double lift = point.zigzag.dot(point.n);
     sum.strain += model.cloud.area[a] * surface_energy(model, state, a);
-    sum.zigzag += 0.5 * model.cloud.area[a] * (within * point.zigzag.squaredNorm() + across * lift * lift);
+    sum.zigzag += 0.5 * model.cloud.area[a] * (within * point.zigzag.squaredNorm() + across * lift * lift) +
+                  model.cloud.area[a] * held_zigzag_energy(model, point, a);
     sum.motion += 0.5 * model.mass(a) * state.velocity(a).squaredNorm();
     sum.rotation += 0.5 * model.mass(a) * model.gyration2(a) * state.normal_rate(a).squaredNorm();
   }

@@ -2,10 +2,11 @@
 ///
 ///   cauchy          sigma at chi = zeta t/2, global axes; zeta = -1 inner face, 0 mid-surface, 1 outer face     Pa
 ///   von_mises       of it                                                                             Pa
-///   surface_energy  of the strains, J per reference area (2D: per metre depth as well)                J/m2
+///   surface_energy  of the strains, J per reference area (2D: per metre depth as well); with pre-stress its work too,
+///                   so that it may be negative                                                        J/m2
 ///   energies        summed over the shell: strain, zigzags (hourglass), motion and rotation           J
 ///
-/// Stresses are elastic: viscous parts are left out. In 2D the stress out of the plane is returned as well. The transverse
+/// Stresses are elastic, with those of the reference (prestress.hpp): viscous parts are left out. In 2D the stress out of the plane is returned as well. The transverse
 /// shear is that of the model, constant through the thickness, 5/6 of the material's. Source: docs/theory/shell.md.
 #pragma once
 #include "sph3d/shell/state.hpp"

@@ -8,9 +8,25 @@ namespace ostium::sph3d {
 namespace {
 
 template <int D>
+double plate_modulus(const ShellModel<D>& model, std::size_t a) {
+  return model.reference[a / 8].stiffness[a % 8] * moduli(model.options.material).plate();
+}
+
+/// Largest tension of the pre-stress: a stretched wall is stiffer, as a string is.
+template <int D>
+double tension(const ShellModel<D>& model, std::size_t a) {
+  if (model.prestress.empty()) return 0.0;
+  const auto& n = model.prestress.blocks[a / 8].traction;
+  const std::size_t lane = a % 8;
+  double largest = n[0][lane];
+  if constexpr (D == 3)
+    largest = 0.5 * (n[0][lane] + n[2][lane]) + std::hypot(0.5 * (n[0][lane] - n[2][lane]), n[1][lane]);
+  return std::max(largest, 0.0) / model.cloud.thickness[a];
+}
+
+template <int D>
 double plate_speed(const ShellModel<D>& model, std::size_t a) {
-  const double factor = model.reference[a / 8].stiffness[a % 8];
-  return std::sqrt(factor * moduli(model.options.material).plate() / model.options.density);
+  return std::sqrt((plate_modulus(model, a) + tension(model, a)) / model.options.density);
 }
 
 template <int D>

@@ -13,8 +13,12 @@ ShellArrays<D> arrays(const ShellModel<D>& model, ShellState<D>& state, const st
                       ShellWorkspace<D>& work) {
   OSTIUM_ASSERT(load.size() == model.blocks() && state.blocks.size() == model.blocks(),
                 "blocks: {}, loads: {}, state: {}", model.blocks(), load.size(), state.blocks.size());
-  return {model.reference.data(), model.rows(),       load.data(),      state.blocks.data(),
-          work.motion.data(),     work.stress.data(), work.force.data()};
+  const auto& held = model.prestress.blocks;
+  OSTIUM_ASSERT(held.empty() || held.size() == model.blocks(), "blocks: {}, prestress: {}", model.blocks(),
+                held.size());
+  return {
+      model.reference.data(), model.rows(),       load.data(),       state.blocks.data(),
+      work.motion.data(),     work.stress.data(), work.force.data(), held.empty() ? nullptr : held.data()};
 }
 
 /// f(begin, end) for the part of the blocks that belongs to each thread of the team, then all wait.

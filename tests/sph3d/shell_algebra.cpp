@@ -60,7 +60,7 @@ TEST(ShellAlgebra, RotationIsNoStrain) {
   auto state = rest(model);
   const Eigen::Matrix3d R = rotation(2.5);
   deform<3>(
-      model, state, [&](const Vec3& X) { return R * X + Vec3(3, 1, -2); },
+      model, state, [&](const Vec3& X) -> Vec3 { return R * X + Vec3(3, 1, -2); },
       [&](std::size_t a) { return R * cloud.normal[a]; });
   ShellWorkspace<3> work(model);
   accelerate(model, state, no_load(model), work);
@@ -70,8 +70,9 @@ TEST(ShellAlgebra, RotationIsNoStrain) {
 }
 
 template <int D>
-void forces_are_derivatives(const ShellCloud<D>& cloud, ShellOptions options) {
-  const ShellModel<D> model(cloud, options);
+void forces_are_derivatives(const ShellModel<D>& model) {
+  const auto& cloud = model.cloud;
+  const auto& options = model.options;
   auto state = rest(model);
   shake(model, state, 0.05);
   ShellWorkspace<D> work(model);
@@ -113,6 +114,11 @@ void forces_are_derivatives(const ShellCloud<D>& cloud, ShellOptions options) {
   }
 }
 
+template <int D>
+void forces_are_derivatives(const ShellCloud<D>& cloud, const ShellOptions& options) {
+  forces_are_derivatives(ShellModel<D>(cloud, options));
+}
+
 TEST(ShellAlgebra, ForcesAreDerivativesOfTheEnergy) {
   ShellOptions options = soft(0.155);
   for (const Material& material :
@@ -135,6 +141,27 @@ TEST(ShellAlgebra, ForcesAreDerivativesAtAClamp) {
   auto arch = ring(1.0, 40, 0.2);
   std::fill_n(arch.support.begin(), 4, Support::clamped);
   forces_are_derivatives<2>(arch, soft(0.155));
+}
+
+/// A stress like none that a load makes, of the wall's own stiffness and without pattern.
+template <int D>
+ShellModel<D> stressed(const ShellCloud<D>& cloud, const ShellOptions& options) {
+  ShellModel<D> model(cloud, options);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  model.prestress.blocks.resize(model.blocks());
+  for (auto& block : model.prestress.blocks) {
+    for (auto& traction : block.traction)
+      for (double& x : traction) x = 2e4 * value(random);
+    for (auto& zigzag : block.zigzag)
+      for (double& x : zigzag) x = 1e6 * value(random);
+  }
+  return model;
+}
+
+TEST(ShellAlgebra, ForcesAreDerivativesWithStressInTheReference) {
+  forces_are_derivatives(stressed(cylinder(1.0, 40, 6, 0.15, 0.2), soft(0.155)));
+  forces_are_derivatives(stressed(ring(1.0, 40, 0.2), soft(0.155)));
 }
 
 // Momentum and angular momentum of inner forces.

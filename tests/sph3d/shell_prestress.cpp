@@ -149,8 +149,7 @@ double further_growth(const ShellModel<3>& model, int n, double pressure) {
   return sum;
 }
 
-// The exact growth differs by 6 % from that of an unloaded wall, by 10 % and more where stress, or the pressure on the
-// grown area, is left out.
+// Without the stress the tube would grow by 4 % more, without the pressure on its grown area by 4 % less.
 TEST(ShellPrestress, TubeStaysAndGrowsWithTheStiffnessOfTheLoadedWall) {
   const Loaded wall;
   const int n = 32;
@@ -166,7 +165,7 @@ TEST(ShellPrestress, TubeStaysAndGrowsWithTheStiffnessOfTheLoadedWall) {
         << int(ends);
     const double more = 0.01 * wall.p;
     if (ends == Support::released) {
-      EXPECT_NEAR(further_growth(model, n, wall.p + more) / wall.growth(more), 1.0, 0.01);
+      EXPECT_NEAR(further_growth(model, n, wall.p + more) / wall.growth(more), 1.0, 0.005);
     }
   }
 }

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "sph3d/geometry/surface_array.hpp"
+#include "sph3d/shell/prestress.hpp"
 
 namespace ostium::app {
 namespace {
@@ -134,6 +135,27 @@ WallShell<D> wall_shell(const Case& study, const Lumen<D>& lumen) {
   return shell;
 }
 
+namespace {
+
+/// The stress that keeps the shape at the pressure of the image, less that of the tissue.
+template <int D>
+void carry(ShellModel<D>& shell, const WallCase& w, bool quiet) {
+  const double pressure = w.prestress->pressure - w.outside_pressure.value_or(0.0);
+  PrestressReport report;
+  try {
+    report = find_prestress(shell, pressure_load(shell, pressure));
+  } catch (const NumericsError& error) {
+    w.origin.at("prestress").error("{}", error.what());
+  }
+  if (quiet || report.iterations == 0) return;
+  log::info(
+      "the wall carries {:.4g} Pa in the shape of the image; free of stress it would have moved up to {:.3g} "
+      "mm",
+      pressure, 1e3 * report.displacement);
+}
+
+}  // namespace
+
 template <int D>
 std::unique_ptr<DeformableWall<D>> make_wall(const Case& study, const WallShell<D>& wall,
                                              const Model<D>& model, double ramp, bool quiet) {
@@ -141,7 +163,7 @@ std::unique_ptr<DeformableWall<D>> make_wall(const Case& study, const WallShell<
   ShellModel<D> shell(wall.cloud, shell_options(*study.vessel));
   SurroundingsOfWall around{.outside_pressure = w.outside_pressure.value_or(0.0), .ramp = ramp};
   around.rest_pressure = w.prestress ? w.prestress->pressure : around.outside_pressure;
-  (void)quiet;
+  if (w.prestress) carry(shell, w, quiet);
   return std::make_unique<DeformableWall<D>>(std::move(shell), wall.contact, model.reach(), around);
 }
 

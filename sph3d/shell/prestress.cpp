@@ -72,7 +72,7 @@ double missing(const std::vector<double>& gains) {
   numerics_error(
       "no stress in the wall was found that balances its pressure within {} iterations; what is missing is "
       "{:.3g} of the "
-      "whole. Something has to hold the wall: clamp or release its ends",
+      "whole. Something has to hold the wall: clamp its ends or release them",
       report.iterations, report.error);
 }
 

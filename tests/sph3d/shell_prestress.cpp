@@ -285,9 +285,11 @@ TEST(ShellPrestress, WallOfAVesselStaysAtThePressureOfItsImage) {
   std::vector<Vec2> contact;
   for (std::size_t a = 0; a < cloud.count(); ++a)
     contact.push_back(cloud.position[a] - 0.5 * wall.t * cloud.normal[a]);
-  DeformableWall<2> vessel(cloud, contact, wall.options(2 * pi * wall.R / 48), 1e-3, outside);
-  vessel.prestress(wall.p + outside);
-  auto state = vessel.rest();
+  ShellModel<2> model(cloud, wall.options(2 * pi * wall.R / 48));
+  find_prestress(model, pressure_load(model, wall.p));
+  DeformableWall<2> vessel(std::move(model), contact, 1e-3,
+                           {.outside_pressure = outside, .rest_pressure = wall.p + outside});
+  auto state = vessel.rest(wall.p + outside);
   vessel.attach(state, FluidState<2>{});
   for (int k = 0; k < 20; ++k) vessel.step(state, 1e-5, wall.p + outside);
   EXPECT_LT(state.shell.displacement(0).norm(), 1e-9 * wall.R);

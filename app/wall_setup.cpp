@@ -131,6 +131,7 @@ WallShell<D> wall_shell(const Case& study, const Lumen<D>& lumen) {
   } catch (const UserError& error) {
     vessel.origin.at("wall").error("{}", error.what());
   }
+  for (const auto& warning : shell.warnings) log::warn("{}", warning);
   check_exchange(study, shell.cloud.thickness);
   return shell;
 }

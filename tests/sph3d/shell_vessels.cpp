@@ -37,7 +37,7 @@ struct WallCase {
 
 void PrintTo(const WallCase& c, std::ostream* out) { *out << c.file; }
 
-class FullShellVessel : public testing::TestWithParam<WallCase> {
+class ShellVessel : public testing::TestWithParam<WallCase> {
  protected:
   void SetUp() override {
     if (!fs::exists(vessels / GetParam().file)) GTEST_SKIP() << "needs the reference data at " << vessels;
@@ -78,7 +78,7 @@ struct Soundness {
   }
 };
 
-TEST_P(FullShellVessel, EvenAndHeldAtItsEnds) {
+TEST_P(ShellVessel, EvenAndHeldAtItsEnds) {
   const auto& c = GetParam();
   const auto lumen = c.lumen();
   const auto start = std::chrono::steady_clock::now();
@@ -173,7 +173,7 @@ double worst_stress(const ShellModel<3>& model, const ShellState<3>& state) {
 }
 
 // 10 kPa, clamped ends: an equilibrium, its straight part as wide as a tube would be, no zigzags.
-TEST_P(FullShellVessel, StandsUnderPressure) {
+TEST_P(ShellVessel, StandsUnderPressure) {
   const auto& c = GetParam();
   const auto shell = shell_of(c.lumen(), c.wall());
   auto options = static_options(c.spacing, E, nu);
@@ -204,7 +204,7 @@ TEST_P(FullShellVessel, StandsUnderPressure) {
 }
 
 // The common carotid up to its bulb; the descending aorta from a clamp's length above its end up to its bend.
-INSTANTIATE_TEST_SUITE_P(Public, FullShellVessel,
+INSTANTIATE_TEST_SUITE_P(Full, ShellVessel,
                          testing::Values(WallCase{"carotid_bifurcation/bif_artery_mm.stl", 1e-3, 0.3e-3,
                                                   0.6e-3, 0.01, -27e-3, -7e-3, 1.0, 0.03},
                                          WallCase{"aorta_vmr0024/aorta_vmr0024.stl", 1e-2, 1e-3, 2.5e-3, 0.09,

@@ -37,8 +37,10 @@ class Session {
         run_(make_run(study, scales_, setup, start, saved, options.quiet)),
         recorder_(study, options.case_name, options.folder, effective_case(study, setup.model), names(setup),
                   saved ? std::optional(saved->recorded) : std::nullopt),
-        fields_(options.folder.path(), run_.vessel().model(),
-                study.output.fields_every.value_or(study.time.period.value_or(end_) / 10.0)),
+        fields_(options.folder.path(), run_.vessel(),
+                {.every = study.output.fields_every.value_or(study.time.period.value_or(end_) / 10.0),
+                 .period = study.time.period.value_or(0.0),
+                 .end = end_}),
         progress_({.start = run_.time(),
                    .end = end_,
                    .period = study.time.period.value_or(0.0),
@@ -161,6 +163,7 @@ class Session {
   }
 
   int finish() {
+    fields_.finish();
     recorder_.finish(Status::finished, facts());
     std::error_code ignored;
     std::filesystem::remove(options_.folder.checkpoint(), ignored);  // nothing to go on with
@@ -225,7 +228,7 @@ class Session {
                        .max_density_error = report.max_density_error,
                        .escaped = run_.vessel().state().escaped,
                        .bound = name(report.bound)});
-    fields_.write_if_due(run_.vessel());
+    fields_.follow(run_.vessel());
   }
 
   static double seconds_since(Clock::time_point t) {

@@ -7,37 +7,48 @@
 namespace ostium::app {
 
 template <int D>
-FieldsOutput<D>::FieldsOutput(const std::filesystem::path& results, const sph3d::Model<D>& model,
-                              double every)
-    : folder_(results / "fields"),
-      on_(every > 0.0),
-      thinning_(every),
-      fluid_(folder_ / "fluid.pvd"),
-      wall_(folder_ / "wall.pvd"),
-      surface_(folder_ / "surface.pvd") {
-  if (!on_) return;
+void archive(Archive& a, SavedFields<D>& saved) {
+  a.part("thinning", [&] { saved.thinning.archive(a); });
+  a.part("cycle", [&] { archive(a, saved.cycle); });
+}
+
+template <int D>
+FieldsOutput<D>::FieldsOutput(const std::filesystem::path& results, const sph3d::Vessel<D>& vessel,
+                              const FieldsTimes& times)
+    : folder_(results / "fields"), thinning_(times.every), fluid_(folder_ / "fluid.pvd") {
+  if (times.every <= 0.0) return;
   std::filesystem::create_directories(folder_);
-  wall_points_ = sph3d::sample_wall(model.lumen, model.options.dp);
+  wall_.emplace(folder_, vessel, times.period, times.end);
 }
 
 template <int D>
-void FieldsOutput<D>::resume(const Thinning& saved, double time) {
-  thinning_.go_on(saved);
-  for (auto* series : {&fluid_, &wall_, &surface_})
-    series->resume(time * (1.0 + 1e-9));  // the series has its times in twelve digits
+SavedFields<D> FieldsOutput<D>::save() const {
+  return {thinning_, wall_ ? wall_->save() : sph3d::WallCycle<D>()};
 }
 
 template <int D>
-void FieldsOutput<D>::write_if_due(const sph3d::Vessel<D>& vessel) {
-  if (!on_ || !thinning_.due(vessel.time())) return;
-  const std::string number = fmt::format("{:05d}.vtp", fluid_.size());
-  const auto fluid = folder_ / ("fluid_" + number), wall = folder_ / ("wall_" + number),
-             surface = folder_ / ("surface_" + number);
+void FieldsOutput<D>::resume(const SavedFields<D>& saved, double time) {
+  const double until = time * (1.0 + 1e-9);  // the series has its times in twelve digits
+  thinning_.go_on(saved.thinning);
+  fluid_.resume(until);
+  if (wall_) wall_->resume(saved.cycle, until);
+}
+
+template <int D>
+void FieldsOutput<D>::follow(const sph3d::Vessel<D>& vessel) {
+  if (!wall_) return;
+  wall_->follow(vessel);
+  if (!thinning_.due(vessel.time())) return;
+  const std::string number = fmt::format("{:05d}", fluid_.size());
+  const auto fluid = folder_ / ("fluid_" + number + ".vtp");
   write_fluid(vessel, fluid);
-  write_wall(vessel, wall, surface);
+  wall_->write(vessel, number);
   fluid_.add(vessel.time(), fluid);
-  wall_.add(vessel.time(), wall);
-  surface_.add(vessel.time(), surface);
+}
+
+template <int D>
+void FieldsOutput<D>::finish() {
+  if (wall_) wall_->finish();
 }
 
 template <int D>
@@ -63,23 +74,8 @@ void FieldsOutput<D>::write_fluid(const sph3d::Vessel<D>& vessel, const std::fil
   sph3d::write_particles_vtp<D>(file, points, fields);
 }
 
-template <int D>
-void FieldsOutput<D>::write_wall(const sph3d::Vessel<D>& vessel, const std::filesystem::path& file,
-                                 const std::filesystem::path& surface_file) const {
-  const auto loads = sph3d::wall_loads(vessel, wall_points_);
-  std::vector<Vec<D>> points;
-  std::vector<double> area;
-  for (const auto& point : wall_points_) points.push_back(point.position), area.push_back(point.area);
-  const std::vector<sph3d::Field> fields{sph3d::field("pressure", loads.pressure),
-                                         sph3d::field<D>("wall_shear_stress", loads.shear_stress),
-                                         sph3d::field("area", area)};
-  sph3d::write_particles_vtp<D>(file, points, fields);
-  const auto mapped = sph3d::mapped_to_surface(vessel.model(), wall_points_, loads);
-  const std::vector<sph3d::Field> corners{sph3d::field("pressure", mapped.pressure),
-                                          sph3d::field<D>("wall_shear_stress", mapped.shear_stress)};
-  sph3d::write_surface_vtp<D>(surface_file, vessel.model().lumen.surface, corners);
-}
-
+template void archive(Archive&, SavedFields<2>&);
+template void archive(Archive&, SavedFields<3>&);
 template class FieldsOutput<2>;
 template class FieldsOutput<3>;
 

@@ -1,39 +1,55 @@
-/// The time series for ParaView: fields/fluid.pvd, fields/wall.pvd and fields/surface.pvd with one .vtp per time each.
+/// The time series for ParaView: fields/fluid.pvd, fields/wall.pvd and fields/surface.pvd with one .vtp per time each, and the
+/// fields of whole cycles.
 ///
-///   fluid   velocity m/s, pressure Pa, density deviation -      at the particles (those in the ducts left out)
-///   wall    pressure Pa, wall shear stress Pa                    at the wall points
-///   surface the same, mapped to the corners of the input surface
+///   fluid             velocity m/s, pressure Pa, density deviation -      at the particles (those in the ducts left out)
+///   wall and surface  see wall_output.hpp
 #pragma once
 #include <filesystem>
+#include <optional>
 
 #include "app/results/series.hpp"
-#include "sph3d/fields/wall_loads.hpp"
-#include "sph3d/io/pvd_series.hpp"
+#include "app/wall_output.hpp"
 
 namespace ostium::app {
+
+/// What a run goes on from: when the next fields are due, and what the wall has felt in this cycle.
+template <int D>
+struct SavedFields {
+  Thinning thinning;
+  sph3d::WallCycle<D> cycle;
+};
+
+template <int D>
+void archive(Archive& a, SavedFields<D>& saved);
+
+struct FieldsTimes {
+  double every = 0;   // s between two sets of fields; 0: nothing is written
+  double period = 0;  // s; 0: the run is one cycle
+  double end = 0;     // s
+};
 
 template <int D>
 class FieldsOutput {
  public:
-  /// every: s between two times; 0: nothing is written.
-  FieldsOutput(const std::filesystem::path& results, const sph3d::Model<D>& model, double every);
-  void write_if_due(const sph3d::Vessel<D>& vessel);
-  /// When the next fields are due.
-  Thinning save() const { return thinning_; }
+  FieldsOutput(const std::filesystem::path& results, const sph3d::Vessel<D>& vessel,
+               const FieldsTimes& times);
+  /// After every step.
+  void follow(const sph3d::Vessel<D>& vessel);
+  /// The run has come to its end.
+  void finish();
+
+  SavedFields<D> save() const;
   /// Goes on with the series of an earlier sitting that reached `time`, s.
-  void resume(const Thinning& saved, double time);
+  void resume(const SavedFields<D>& saved, double time);
   std::size_t times() const { return fluid_.size(); }
 
  private:
   void write_fluid(const sph3d::Vessel<D>& vessel, const std::filesystem::path& file) const;
-  void write_wall(const sph3d::Vessel<D>& vessel, const std::filesystem::path& file,
-                  const std::filesystem::path& surface_file) const;
 
   std::filesystem::path folder_;
-  bool on_;
   Thinning thinning_;
-  std::vector<sph3d::WallPoint<D>> wall_points_;
-  sph3d::PvdSeries fluid_, wall_, surface_;
+  sph3d::PvdSeries fluid_;
+  std::optional<WallOutput<D>> wall_;  // none where nothing is written
 };
 
 }  // namespace ostium::app

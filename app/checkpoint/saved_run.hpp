@@ -1,5 +1,6 @@
 /// Everything a coupled run goes on from: vessel and network, what was recorded, the account.
 #pragma once
+#include "app/fields_output.hpp"
 #include "app/results/account.hpp"
 #include "app/results/recorder.hpp"
 #include "coupling/state.hpp"
@@ -11,7 +12,7 @@ struct SavedRun {
   coupling::CoupledState<D> run;
   Recorded recorded;
   Account account;
-  Thinning fields;
+  SavedFields<D> fields;
 
   double time() const { return run.vessel.state.time; }
 };

@@ -120,6 +120,7 @@ void write_surface_vtp(const std::filesystem::path& file, const Surface<D>& surf
 
 template Field field<2>(std::string, std::span<const Vec2>);
 template Field field<3>(std::string, std::span<const Vec3>);
+template Field field<6>(std::string, std::span<const Vec<6>>);
 template void write_particles_vtp(const std::filesystem::path&, std::span<const Vec2>,
                                   std::span<const Field>);
 template void write_particles_vtp(const std::filesystem::path&, std::span<const Vec3>,

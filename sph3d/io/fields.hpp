@@ -1,7 +1,8 @@
 /// Points and surfaces with named fields as VTK files (.vtp, binary, compressed, single precision).
 ///
 ///   points   m   D = 2 is written with z = 0
-///   Field    -   one scalar or vector per point or facet: `components` 1, 2 or 3 (2 is written as 3)
+///   Field    -   one scalar, vector or symmetric tensor (xx yy zz xy yz xz) per point or facet: `components` 1, 2, 3 or 6
+///                (2 is written as 3)
 ///
 /// Files are written beside their final name and then renamed: whoever reads a series while a run goes on never
 /// sees half a file. Throws UserError when the file cannot be written. Not checked: NaN in the values.

@@ -7,21 +7,13 @@
 
 #include "sph3d/step/lane_access.hpp"
 #include "sph3d/walls/ball_tree.hpp"
+#include "sph3d/walls/smallest_rotation.hpp"
 
 namespace ostium::sph3d {
 
 namespace {
 
 constexpr double width = 1.3;  // smoothing length of the weights, in spacings of the wall points
-
-/// The smallest rotation from one unit vector to another.
-template <int D>
-Mat<D> rotation(const Vec<D>& from, const Vec<D>& to) {
-  const double c = from.dot(to);
-  if (c < -0.9) return Mat<D>::Identity();
-  Mat<D> K = to * from.transpose() - from * to.transpose();  // K u = axis x u, times the sine
-  return Mat<D>::Identity() + K + K * K / (1.0 + c);
-}
 
 /// The eight places of a cluster, as a ball.
 template <int D>
@@ -96,7 +88,7 @@ void WallMotion<D>::attach(const FluidState<D>& fluid, const std::vector<Vec<D>>
   pose_.resize(now.size());
 #pragma omp parallel for schedule(static)
   for (std::size_t a = 0; a < now.size(); ++a)
-    pose_[a] = {now[a], normal[a], rotation<D>(reference_normal_[a], normal[a])};
+    pose_[a] = {now[a], normal[a], smallest_rotation<D>(reference_normal_[a], normal[a])};
   felt_ = reach_;
   for (std::size_t a = 0; a < now.size(); ++a)
     felt_ = std::max(felt_, reach_ + (now[a] - reference_[a]).norm());
@@ -163,7 +155,7 @@ WallSample<D> WallMotion<D>::sample(const WallField<D>& field, std::size_t i, co
     before += w * reference_normal_[a], now += w * pose_[a].normal;
   }
   WallSample<D> sample = field(X);
-  sample.flux = rotation<D>(before.normalized(), now.normalized()) * sample.flux;
+  sample.flux = smallest_rotation<D>(before.normalized(), now.normalized()) * sample.flux;
   return sample;
 }
 

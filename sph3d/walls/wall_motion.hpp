@@ -39,6 +39,8 @@ class WallMotion {
   /// Adds to what wall and particles have moved since they were attached.
   void drift(double dt);
 
+  /// How many there were when they were attached; none before the first time.
+  std::size_t places() const { return lists_.size(); }
   bool attached(std::size_t i) const { return lists_[i].count > 0; }
   /// Of the wall as each place feels it, cluster by cluster.
   const WallVelocity<D>* velocity() const { return velocity_.data(); }

@@ -99,7 +99,8 @@ Poiseuille plane_poiseuille(int across, double end) {
                     .reference_speed = u_max,
                     .density_relaxation = 0.2},
                    {{true, Profile::parabolic}, {}}, 0.05);
-  const auto wall = sample_wall(vessel.model().lumen, d / across);
+  WallSampler<2> sampler(vessel);
+  const auto& wall = sampler.points();
   std::vector<Drive> drives(2);
   drives[1].law.p_star = 0.05;
   std::vector<double> sum(across, 0.0), count(across, 0.0), exact(across, 0.0);
@@ -117,7 +118,8 @@ Poiseuille plane_poiseuille(int across, double end) {
       sum[row] += fluid.velocity(i)[0], ++count[row];
       exact[row] += 4 * u_max * x[1] * (d - x[1]) / (d * d);
     }
-    const auto loads = wall_loads(vessel, wall);
+    sampler.sample(vessel);
+    const auto& loads = sampler.loads();
     double force = 0, area = 0;
     for (std::size_t a = 0; a < wall.size(); ++a)
       if (std::abs(wall[a].position[0] - 0.5 * length) < 0.25 * length)

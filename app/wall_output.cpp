@@ -1,0 +1,147 @@
+#include "app/wall_output.hpp"
+
+#include <fmt/format.h>
+
+#include "sph3d/fields/shell_fields.hpp"
+#include "sph3d/fields/wall_gradient.hpp"
+#include "sph3d/io/fields.hpp"
+#include "sph3d/walls/smallest_rotation.hpp"
+
+namespace ostium::app {
+
+namespace {
+
+/// Fields at the wall points and the same on the input surface.
+template <int D>
+class WallAndSurface {
+ public:
+  explicit WallAndSurface(const sph3d::SurfaceMap<D>& map) : map_(map) {}
+
+  template <class T>
+  void add(const std::string& name, const std::vector<T>& values) {
+    wall.push_back(field_of(name, values));
+    surface.push_back(field_of(name, map_(values)));
+  }
+  void write(const std::filesystem::path& wall_file, const std::vector<sph3d::WallPoint<D>>& points,
+             const std::filesystem::path& surface_file, const sph3d::Surface<D>& moved) {
+    std::vector<Vec<D>> position, normal;
+    std::vector<double> area;
+    for (const auto& p : points)
+      position.push_back(p.position), normal.push_back(p.normal), area.push_back(p.area);
+    wall.push_back(field_of("area", area));
+    wall.push_back(field_of("normal", normal));
+    sph3d::write_particles_vtp<D>(wall_file, position, wall);
+    sph3d::write_surface_vtp<D>(surface_file, moved, surface);
+  }
+
+ private:
+  static sph3d::Field field_of(const std::string& name, const std::vector<double>& values) {
+    return sph3d::field(name, values);
+  }
+  template <int N>
+  static sph3d::Field field_of(const std::string& name, const std::vector<Vec<N>>& values) {
+    return sph3d::field<N>(name, values);
+  }
+
+  const sph3d::SurfaceMap<D>& map_;
+  std::vector<sph3d::Field> wall, surface;
+};
+
+}  // namespace
+
+template <int D>
+WallOutput<D>::WallOutput(const std::filesystem::path& folder, const sph3d::Vessel<D>& vessel, double period,
+                          double end)
+    : folder_(folder),
+      period_(period),
+      filter_((period > 0.0 ? period : end) / (2.0 * pi * 20.0)),
+      sampler_(vessel),
+      map_(vessel.model().lumen.surface, sampler_.at_rest(), vessel.model().kernel.h),
+      wall_(folder / "wall.pvd"),
+      surface_(folder / "surface.pvd"),
+      cycles_wall_(folder / "cycles_wall.pvd"),
+      cycles_surface_(folder / "cycles_surface.pvd") {}
+
+template <int D>
+void WallOutput<D>::resume(const sph3d::WallCycle<D>& saved, double time) {
+  cycle_ = saved;
+  for (auto* series : {&wall_, &surface_, &cycles_wall_, &cycles_surface_}) series->resume(time);
+}
+
+template <int D>
+void WallOutput<D>::follow(const sph3d::Vessel<D>& vessel) {
+  sampler_.sample(vessel);
+  const auto& loads = sampler_.loads();
+  const auto& rest = sampler_.at_rest();
+  const auto& now = sampler_.points();
+  if (!vessel.wall())
+    return write_cycle(
+        sph3d::take(cycle_, vessel.time(), loads.shear_stress, loads.pressure, period_, filter_));
+  std::vector<Vec<D>> at_rest(rest.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t a = 0; a < rest.size(); ++a)
+    at_rest[a] = sph3d::smallest_rotation<D>(now[a].normal, rest[a].normal) * loads.shear_stress[a];
+  write_cycle(sph3d::take(cycle_, vessel.time(), at_rest, loads.pressure, period_, filter_));
+}
+
+template <int D>
+void WallOutput<D>::write(const sph3d::Vessel<D>& vessel, const std::string& number) {
+  const auto& rest = sampler_.at_rest();
+  const auto& now = sampler_.points();
+  WallAndSurface<D> fields(map_);
+  fields.add("pressure", sampler_.loads().pressure);
+  fields.add("wall_shear_stress", sampler_.loads().shear_stress);
+  fields.add("wall_shear_stress_gradient", sph3d::shear_stress_from_gradient(vessel, now));
+  if (vessel.wall()) {
+    std::vector<Vec<D>> displacement;
+    for (std::size_t a = 0; a < now.size(); ++a) displacement.push_back(now[a].position - rest[a].position);
+    fields.add("displacement", displacement);
+    const auto shell = sph3d::shell_fields(vessel.wall()->shell(), vessel.state().wall.shell);
+    for (const auto& [name, depth] :
+         {std::pair("inner", &shell.inner), {"middle", &shell.middle}, {"outer", &shell.outer}}) {
+      fields.add(std::string("stress_") + name, depth->stress);
+      fields.add(std::string("von_mises_") + name, depth->von_mises);
+    }
+    fields.add("strain_energy", shell.energy);
+  }
+  const auto wall = folder_ / ("wall_" + number + ".vtp"), surface = folder_ / ("surface_" + number + ".vtp");
+  fields.write(wall, now, surface, map_.moved(rest, now));
+  wall_.add(vessel.time(), wall);
+  surface_.add(vessel.time(), surface);
+}
+
+/// A cycle that was not seen from its beginning is not written.
+template <int D>
+void WallOutput<D>::write_cycle(const sph3d::CycleFields<D>& cycle) {
+  if (cycle.number < 0 || cycle.duration < 0.999 * period_) return;
+  const auto& rest = sampler_.at_rest();
+  const auto& now = sampler_.points();
+  std::vector<Vec<D>> stress(now.size());
+  std::vector<double> osi(now.size()), rrt(now.size());
+  for (std::size_t a = 0; a < now.size(); ++a) {
+    stress[a] = sph3d::smallest_rotation<D>(rest[a].normal, now[a].normal) * cycle.mean_stress[a];
+    osi[a] = cycle.osi(a), rrt[a] = cycle.rrt(a);
+  }
+  WallAndSurface<D> fields(map_);
+  fields.add("tawss", cycle.tawss);
+  fields.add("osi", osi);
+  fields.add("rrt", rrt);
+  fields.add("mean_wall_shear_stress", stress);
+  fields.add("mean_pressure", cycle.mean_pressure);
+  const std::string name = fmt::format("cycle_{:03d}_", cycle.number + 1);
+  const auto wall = folder_ / (name + "wall.vtp"), surface = folder_ / (name + "surface.vtp");
+  fields.write(wall, now, surface, map_.moved(rest, now));
+  const double end = period_ > 0.0 ? static_cast<double>(cycle.number + 1) * period_ : cycle.duration;
+  cycles_wall_.add(end, wall);
+  cycles_surface_.add(end, surface);
+}
+
+template <int D>
+void WallOutput<D>::finish() {
+  if (period_ <= 0.0 && cycle_.duration > 0.0) write_cycle(sph3d::fields_of(cycle_));
+}
+
+template class WallOutput<2>;
+template class WallOutput<3>;
+
+}  // namespace ostium::app

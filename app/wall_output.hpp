@@ -1,0 +1,47 @@
+/// The wall's share of the files for ParaView: wall_NNNNN.vtp at the wall points, surface_NNNNN.vtp at the corners of the input
+/// surface, displaced with the wall; and after each cycle cycle_NNN_wall.vtp and cycle_NNN_surface.vtp. Each has its series (.pvd).
+///
+///   wall, surface       pressure Pa, wall_shear_stress Pa, wall_shear_stress_gradient Pa
+///   of a shell as well  displacement m, stress_{inner,middle,outer} Pa, von_mises_{inner,middle,outer} Pa, strain_energy J/m2
+///   cycle               tawss Pa, osi -, rrt 1/Pa, mean_wall_shear_stress Pa, mean_pressure Pa
+///   wall only           area m2, normal -
+///
+/// Source: sph3d/fields (wall_loads, wall_gradient, wall_cycle, shell_fields, surface_map).
+#pragma once
+#include <filesystem>
+
+#include "sph3d/fields/surface_map.hpp"
+#include "sph3d/fields/wall_cycle.hpp"
+#include "sph3d/fields/wall_loads.hpp"
+#include "sph3d/io/pvd_series.hpp"
+
+namespace ostium::app {
+
+template <int D>
+class WallOutput {
+ public:
+  /// period, s; 0: the whole run is one cycle, of about `end`, s.
+  WallOutput(const std::filesystem::path& folder, const sph3d::Vessel<D>& vessel, double period, double end);
+
+  /// After every step: samples the wall, and writes the cycle that has ended.
+  void follow(const sph3d::Vessel<D>& vessel);
+  /// The fields of now, under this number of five digits.
+  void write(const sph3d::Vessel<D>& vessel, const std::string& number);
+  /// The run has come to its end: where it is one cycle, that is written.
+  void finish();
+
+  const sph3d::WallCycle<D>& save() const { return cycle_; }
+  void resume(const sph3d::WallCycle<D>& saved, double time);
+
+ private:
+  void write_cycle(const sph3d::CycleFields<D>& fields);
+
+  std::filesystem::path folder_;
+  double period_, filter_;
+  sph3d::WallSampler<D> sampler_;
+  sph3d::SurfaceMap<D> map_;
+  sph3d::WallCycle<D> cycle_;
+  sph3d::PvdSeries wall_, surface_, cycles_wall_, cycles_surface_;
+};
+
+}  // namespace ostium::app

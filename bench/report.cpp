@@ -49,6 +49,10 @@ void print_advection(const StepResult& s) {
   fmt::print("{:<28} {:9.1f} {:9.1f}   {:.2f} acoustic steps; there are {:.1f} of them in one\n",
              "          advection step", ns(s.advection_in_run.median), ns(s.advection_in_run.best),
              s.advection_over_acoustic, s.acoustic_per_advection);
+  const double whole = s.advection_in_run.median + s.acoustic_per_advection * s.acoustic_in_run.median;
+  fmt::print("{:<28} {:9.1f} {:9.1f}   {:.1f} % of a step, where fields are written\n",
+             "          wall fields", ns(s.wall_fields.median), ns(s.wall_fields.best),
+             100 * s.wall_fields.median / whole);
 }
 
 void print(const WallResult& w) {

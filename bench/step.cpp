@@ -1,6 +1,8 @@
 #include <omp.h>
 
 #include "bench/workload.hpp"
+#include "sph3d/fields/wall_cycle.hpp"
+#include "sph3d/fields/wall_loads.hpp"
 #include "sph3d/step/prepare.hpp"
 
 namespace ostium::bench {
@@ -40,6 +42,18 @@ struct WholeSteps {
   }
 };
 
+/// What the fields of cycles cost a run in every advection step.
+struct WallFields {
+  const Vessel<3>& vessel;
+  WallSampler<3> sampler{vessel};
+  WallCycle<3> cycle = {};
+
+  void operator()() {
+    sampler.sample(vessel);
+    take(cycle, cycle.time + 1e-4, sampler.loads().shear_stress, sampler.loads().pressure, 0.0, 1e-3);
+  }
+};
+
 struct Rival {
   std::string name;
   std::function<void()> work;
@@ -69,18 +83,21 @@ StepResult measure_step(Vessel<3>& tube, const Options& options, double resident
   const auto& kernels = fluid_kernels<3>();
   const std::int64_t all = p.clusters();
   WholeSteps whole{tube};
+  WallFields fields{tube};
   const auto parts = parts_of(p);
   std::vector<std::function<void()>> rivals;
   for (const auto& part : parts) rivals.push_back(part.work);
   rivals.push_back([&] { p.kick(kernels, 0, all); });
   rivals.push_back([&] { p.density(kernels, 0, all); });
   rivals.push_back([&] { whole(); });
+  rivals.push_back([&] { fields(); });
   const auto times = in_turn(rivals, options.rounds);
   const double n = static_cast<double>(result.particles);
   for (std::size_t k = 0; k < parts.size(); ++k)
     result.parts.push_back({parts[k].name, per(times[k], n), parts[k].share});
   result.kick = per(times[parts.size()], n);
   result.density = per(times[parts.size() + 1], n);
+  result.wall_fields = per(times[parts.size() + 3], n);
   result.acoustic_per_advection = whole.acoustic_steps / whole.advection_steps;
   result.driving = WholeSteps::of(whole.driving, n);
   result.parts.push_back({"renew ports", WholeSteps::of(whole.renewal, n)});

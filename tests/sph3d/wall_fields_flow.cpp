@@ -136,7 +136,7 @@ TEST(FullWallStress, BetweenPlates30Across) {
   EXPECT_NEAR(m.gradient, 1, 0.03);
   EXPECT_LT(m.osi, 0.001);
   EXPECT_NEAR(m.slope, 1, 0.03);
-  EXPECT_LT(m.pressure, 0.01);
+  EXPECT_LT(m.pressure, 0.02);  // a ten-thousandth of rho c^2
 }
 
 TEST(FullWallStress, InATube30Across) {
@@ -146,7 +146,7 @@ TEST(FullWallStress, InATube30Across) {
   EXPECT_NEAR(m.gradient, 1, 0.03);
   EXPECT_LT(m.osi, 0.002);
   EXPECT_NEAR(m.slope, 1, 0.03);
-  EXPECT_LT(m.pressure, 0.01);
+  EXPECT_LT(m.pressure, 0.02);  // a ten-thousandth of rho c^2
 }
 
 double mean_velocity(const Vessel<2>& vessel, double from, double to) {

@@ -116,6 +116,7 @@ class Session {
     const auto report = run_.step(end_);
     account_.add(report);
     watch_tension();
+    watch_leaks(report);
     record(report);
     keep(report);
     if (progress_.due()) {
@@ -204,6 +205,19 @@ class Session {
                                                      : "");
       tension_told_ = true;
     }
+  }
+
+  /// Told once with its place; all are counted.
+  void watch_leaks(const sph3d::StepReport& report) {
+    if (report.leaked == 0 || leak_told_) return;
+    log::warn(
+        "at {:.6g} s {} of the blood's particles went through the wall near ({:.4g}, {:.4g}, {:.4g}) m and "
+        "were put back "
+        "where they had been; more are counted in balance.csv. Smaller steps (numerics.acoustic_cfl) or a "
+        "smaller "
+        "vessel.spacing keep them inside",
+        run_.time(), report.leaked, report.leak[0], report.leak[1], report.leak[2]);
+    leak_told_ = true;
   }
 
   void record(const sph3d::StepReport& report) {
@@ -300,7 +314,7 @@ class Session {
   std::int64_t steps_before_;
   Account account_;
   std::optional<SavedRun<D>> good_;
-  bool tension_told_ = false;
+  bool tension_told_ = false, leak_told_ = false;
   std::vector<double> series_;
   Clock::time_point began_ = Clock::now(), saved_ = began_;
 };

@@ -1,5 +1,7 @@
 #include "sph3d/vessel.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -185,10 +187,14 @@ void Vessel<D>::acoustic_step(double dt, bool last, std::span<const Drive> drive
 
 namespace {
 
+/// Beyond this filling a particle has gone through the wall, more than half a spacing deep.
+constexpr double through = 0.8;
+
 /// Positions take the displacement of the acoustic steps and the transport shift; who has slipped into the wall is put
-/// back. Returns how many were.
+/// back, who has gone through it returns to where it was and is told of. Returns how many slipped.
 template <int D>
-int move_cluster(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>& work, std::size_t c) {
+int move_cluster(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>& work, std::size_t c,
+                 std::vector<std::size_t>& gone) {
   const auto zeta_h2 = static_cast<float>(model.options.shift * model.kernel.h * model.kernel.h);
   const Cluster<D>& own = fluid.clusters[c];
   float way[D][8], expected[8];
@@ -203,11 +209,18 @@ int move_cluster(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>
   for (std::size_t lane = 0; lane < 8; ++lane) {
     if (!fluid.filled[8 * c + lane]) continue;
     Vec<D>& position = fluid.position[8 * c + lane];
+    const Vec<D> before = position;
     for (int d = 0; d < D; ++d) position[d] += way[d][lane];
     const Vec<D> with_wall = motion ? motion->moved(8 * c + lane) : Vec<D>(Vec<D>::Zero());
     if (expected[lane] - with_wall.dot(lane_vector<D>(own.wall, lane)) < 0.4) continue;
     const WallSample<D> wall = wall_at(model, work, 8 * c + lane, Vec<D>(position - with_wall));
     if (wall.filling < 0.52) continue;
+    if (wall.filling > through) {
+      gone.push_back(8 * c + lane);
+      position = before;
+      fluid.velocity(8 * c + lane, Vec<D>::Zero());
+      continue;
+    }
     const double inside = 0.25 * model.options.dp - model.half_space.distance(wall.filling);
     if (wall.flux.norm() > 0.0) position -= inside * wall.flux.normalized();
     ++mirrored;
@@ -253,10 +266,16 @@ StepReport Vessel<D>::move() {
   std::vector<double> energy(fluid.clusters.size());
   std::int64_t mirrored = 0;
   bool finite = true;
+  std::vector<std::size_t> gone;
 #pragma omp parallel for schedule(static) reduction(max : speed2, acceleration2, worst) \
     reduction(+ : mirrored) reduction(&& : finite)
   for (std::size_t c = 0; c < fluid.clusters.size(); ++c) {
-    mirrored += move_cluster(*model_, fluid, work_, c);
+    std::vector<std::size_t> of_cluster;
+    mirrored += move_cluster(*model_, fluid, work_, c, of_cluster);
+    if (!of_cluster.empty()) {
+#pragma omp critical
+      gone.insert(gone.end(), of_cluster.begin(), of_cluster.end());
+    }
     const Motion motion = motion_of<D>(fluid.clusters[c], &fluid.filled[8 * c], &work_.duct_of[8 * c]);
     energy[c] = 0.5 * mass * motion.sum_speed2;
     finite = finite && motion.finite;
@@ -273,11 +292,30 @@ StepReport Vessel<D>::move() {
         "m/s at a sound speed of {:.3g} m/s",
         100 * worst, state_.time, std::sqrt(double(speed2)), model_->options.sound_speed);
   state_.mirrored += mirrored;
+  stop_leak(gone);
   state_.max_speed = std::sqrt(double(speed2));
   state_.max_acceleration = std::sqrt(double(acceleration2));
-  return {.max_speed = state_.max_speed,
-          .kinetic_energy = std::accumulate(energy.begin(), energy.end(), 0.0),
-          .max_density_error = worst};
+  StepReport report{.max_speed = state_.max_speed,
+                    .kinetic_energy = std::accumulate(energy.begin(), energy.end(), 0.0),
+                    .max_density_error = worst};
+  if (!gone.empty()) {
+    const Vec<D>& x = fluid.position[*std::min_element(gone.begin(), gone.end())];
+    std::copy_n(x.data(), D, report.leak.begin());
+    report.leaked = static_cast<std::int64_t>(gone.size());
+  }
+  return report;
+}
+
+/// Single particles are put back and counted; many are a hole.
+template <int D>
+void Vessel<D>::stop_leak(const std::vector<std::size_t>& gone) {
+  constexpr double most = 1e-3;  // of the particles, in the whole run
+  state_.escaped += static_cast<std::int64_t>(gone.size());
+  if (static_cast<double>(state_.escaped) <= std::max(10.0, most * static_cast<double>(state_.fluid.count())))
+    return;
+  const Vec<D>& x = state_.fluid.position[*std::min_element(gone.begin(), gone.end())];
+  numerics_error("blood leaks through the wall: {} particles so far, the last at {} m at t = {:.6g} s",
+                 state_.escaped, fmt::join(x.data(), x.data() + D, ", "), state_.time);
 }
 
 template <int D>

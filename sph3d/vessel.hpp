@@ -30,7 +30,9 @@ struct StepReport {
   double max_density_error = 0;  ///< largest |psi| outside the ducts
   std::size_t particles = 0;
   StepBound bound = StepBound::none;
-  PhaseSeconds seconds{};  ///< of this step
+  std::int64_t leaked = 0;       ///< particles that went through the wall, and were put back
+  std::array<double, 3> leak{};  ///< where the first of them was before, m
+  PhaseSeconds seconds{};        ///< of this step
 };
 
 template <int D>
@@ -79,6 +81,7 @@ class Vessel {
   void acoustic_step(double dt, bool last, std::span<const Drive> drives, double filter_time,
                      PhaseSeconds& seconds);
   StepReport move();
+  void stop_leak(const std::vector<std::size_t>& gone);
 
   std::unique_ptr<const Model<D>> model_;
   std::unique_ptr<DeformableWall<D>> wall_;  // null where it is rigid

@@ -100,6 +100,26 @@ TEST(MovingWalls, ChannelOnSpringsWidensUnderPressure) {
   EXPECT_EQ(state.escaped, 0);
 }
 
+/// A particle that is shot through a wall returns to where it was, and is counted with its place.
+TEST(MovingWalls, WhoGoesThroughTheWallIsPutBack) {
+  ChannelOnSprings channel;
+  channel.advance();
+  auto state = channel.vessel.save();
+  std::size_t shot = 0;
+  while (!state.fluid.filled[shot] || (state.fluid.position[shot] - Vec2(0.04, 0.0085)).norm() > 1.0 * dp)
+    ++shot;
+  const Vec2 before = state.fluid.position[shot];
+  state.fluid.velocity(shot, Vec2(0, 60));
+  channel.vessel.load(state);
+  std::vector<Drive> drives(2);
+  for (auto& drive : drives) drive.law = {.p_star = pressure, .resistance = 4e5};
+  const StepReport report = channel.vessel.advance(1, drives, 0.01);
+  EXPECT_EQ(report.leaked, 1);
+  EXPECT_EQ(channel.vessel.state().escaped, 1);
+  EXPECT_NEAR(report.leak[0], before[0], 1e-4);
+  EXPECT_NEAR(report.leak[1], before[1], 1e-4);
+}
+
 /// What the walls receive the blood has lost: the sum over the wall points is the sum over the particles.
 TEST(MovingWalls, ForcesAreSharedOutWithoutLoss) {
   ChannelOnSprings channel;

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "tube_walls.hpp"
 #include "vessels.hpp"
 
 namespace ostium::sph3d {
@@ -143,32 +144,18 @@ struct InflatedTube {
   static constexpr double tube_length = 0.040, thickness = 0.001, E = 1e6, nu = 0.45, tube_pressure = 4000,
                           c = 20, rho = 1000;
   const double radius, middle = radius + 0.5 * thickness;
-  ShellCloud<3> cloud;
-  std::vector<Vec3> contact;
+  TubeWall wall;
   Vessel<3> vessel;
 
   explicit InflatedTube(double inner_radius)
       : radius(inner_radius),
+        wall(radius, tube_length, dp, thickness),
         vessel(tube(radius, tube_length),
                {.dp = dp, .density = rho, .viscosity = 4e-6, .sound_speed = c, .reference_speed = 0.3},
                {{}, {}}, tube_pressure) {
-    const int around = static_cast<int>(std::lround(2 * pi * middle / dp));
-    for (double x = 0.5 * dp; x < tube_length; x += dp)
-      for (int i = 0; i < around; ++i) {
-        const double angle = 2 * pi * i / around;
-        const Vec3 n(0, std::cos(angle), std::sin(angle));
-        contact.push_back(Vec3(x, 0, 0) + radius * n);
-        cloud.position.push_back(Vec3(x, 0, 0) + middle * n);
-        cloud.normal.push_back(n);
-        cloud.area.push_back(2 * pi * middle / around * dp);
-        cloud.thickness.push_back(thickness);
-        cloud.support.push_back(std::min(x, tube_length - x) < 4 * dp ? Support::clamped : Support::free);
-        cloud.axis.push_back(Vec3(1, 0, 0));
-        cloud.circumference.push_back(Vec3(0, -std::sin(angle), std::cos(angle)));
-      }
     ShellOptions options{.spacing = dp, .density = rho, .material = SaintVenantKirchhoff({.E = E, .nu = nu})};
     options.dashpot = 1e4;
-    vessel.set_wall(std::make_unique<DeformableWall<3>>(ShellModel<3>(cloud, options), contact,
+    vessel.set_wall(std::make_unique<DeformableWall<3>>(ShellModel<3>(wall.cloud, options), wall.contact,
                                                         vessel.model().reach(), SurroundingsOfWall{}));
   }
 
@@ -183,9 +170,9 @@ struct InflatedTube {
   double widening() const {
     double sum = 0;
     int n = 0;
-    for (std::size_t a = 0; a < contact.size(); ++a)
-      if (in_middle(contact[a][0]))
-        sum += vessel.state().wall.shell.displacement(a).dot(cloud.normal[a]), ++n;
+    for (std::size_t a = 0; a < wall.contact.size(); ++a)
+      if (in_middle(wall.contact[a][0]))
+        sum += vessel.state().wall.shell.displacement(a).dot(wall.cloud.normal[a]), ++n;
     return sum / n;
   }
   double blood_pressure() const {

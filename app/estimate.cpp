@@ -13,6 +13,10 @@ constexpr double smoothing_ratio = 1.3;
 /// Of a run of 317 000 particles at its peak, with the copies kept for ordering and for failures.
 constexpr double bytes_per_particle = 1260, bytes_of_program = 5e7;
 
+/// In an acoustic step a particle of a moving wall, with its share of the exchange, takes as long as so many of the blood
+/// (an aorta and a pipe).
+constexpr double like_blood = 14;
+
 /// Particles of the vessel and of its ducts.
 template <int D>
 double all_particles(const Case& study, const sph3d::Lumen<D>& lumen) {
@@ -55,6 +59,7 @@ Estimate estimate(const Case& study, const Setup<D>& setup, const Calibration& s
   e.wall = speed.modelling * setup.lumen.wall_area / std::pow(study.vessel->spacing, D - 1) +
            all_particles(study, setup.lumen) *
                (speed.filling + e.steps * speed.acoustic + e.advection_steps * speed.advection);
+  if (setup.wall) e.wall += e.steps * like_blood * static_cast<double>(setup.wall->count()) * speed.acoustic;
   e.memory = bytes_of_program + bytes_per_particle * e.particles;
   return e;
 }

@@ -5,7 +5,7 @@
 ///   dt        s           acoustic step, acoustic_cfl h / (c + U), h = 1.3 dp
 ///   Dt        s           advection step, advection_cfl h / max((U_ref + U) / 2, nu / h), at most 8 dt
 ///   wall      s           A / dp^(D-1) modelling + M (filling + (end / dt) acoustic + (end / Dt) advection), A the wall;
-///                         speeds from app/calibration
+///                         speeds from app/calibration; of a wall that moves as for blood, by a fixed ratio
 ///
 /// The mean of the floor U_ref and the peak U stands for the velocity over a heart beat. Not counted: network, fields, tables;
 /// what else the machine does at the time.

@@ -63,7 +63,8 @@ std::string check_wall(const WallCase& w) {
 template <Varies V>
 void declare_varying(config::Fields<VaryingCase<V>>& f) {
   using Case = VaryingCase<V>;
-  f.text("array", &Case::array, "point array of the surface file (VTP), linear over each triangle");
+  f.text("array", &Case::array,
+         "point array of the surface file (VTP), linear over each triangle; a thickness is in `length_unit`");
   f.text("opening", &Case::opening, "the opening from whose rim the distance counts");
   const auto value = [&](const char* name, auto member, const char* doc) {
     if constexpr (V == Varies::thickness)

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "shapes.hpp"
 #include "sph3d/geometry/read.hpp"
+#include "sph3d/geometry/surface_array.hpp"
 #include "sph3d/geometry/write_stl.hpp"
 
 namespace ostium::sph3d {
@@ -336,6 +337,36 @@ TEST(ReadLumen, DamagedBytesNeverCrash) {
       if (k % 3 == 0) damaged.resize(engine() % damaged.size());
       EXPECT_NO_THROW(refusal({.file = write(name, damaged)}));
     }
+}
+
+/// A file in mm whose points carry ten times their x; the surface has them in m, in another order, and one more.
+TEST(SurfaceArray, ValuesAreFoundByPlace) {
+  Surface<3> in_file;
+  in_file.points = {{1, 0, 0}, {2, 0, 0}, {3, 1, 0}, {4, 0, 2}};
+  in_file.facets = {{0, 1, 2}, {1, 2, 3}};
+  std::string text = vtp(in_file);
+  const std::string values =
+      "<PointData><DataArray type=\"Float64\" Name=\"thickness\" format=\"ascii\">10 20 30 40</DataArray>"
+      "<DataArray type=\"Float64\" Name=\"pull\" NumberOfComponents=\"2\" format=\"ascii\">1 2 3 4 5 6 7 "
+      "8</DataArray>"
+      "</PointData>";
+  text.insert(text.find("<Points>"), values);
+  const auto file = write("arrays.vtp", text);
+  Surface<3> surface;
+  surface.points = {{0.004, 0, 0.002}, {0.001, 0, 0}, {0.003, 0.001, 0}, {0.002, 0, 0}, {0.0021, 0, 0}};
+  EXPECT_EQ(surface_array(file, "thickness", 1e-3, surface), (std::vector<double>{40, 10, 30, 20, 20}));
+  const auto refusal = [&](const std::filesystem::path& from, const char* name) {
+    try {
+      surface_array(from, name, 1e-3, surface);
+    } catch (const UserError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_THAT(refusal(file, "thicknes"),
+              HasSubstr("has no point array \"thicknes\"; did you mean \"thickness\"?"));
+  EXPECT_THAT(refusal(file, "pull"), HasSubstr("has 2 components, one is wanted"));
+  EXPECT_THAT(refusal("wall.stl", "thickness"), HasSubstr("only VTP files have point arrays"));
 }
 
 }  // namespace

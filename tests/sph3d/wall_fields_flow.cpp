@@ -123,7 +123,7 @@ Developed plates(int across, double end) {
 }
 
 TEST(WallStress, BetweenPlates16Across) {
-  const Developed m = plates(16, 0.8);
+  const Developed m = plates(16, 1.6);
   EXPECT_NEAR(m.force, 1, 0.04);
   EXPECT_NEAR(m.gradient, 1, 0.04);
   EXPECT_LT(m.osi, 0.002);

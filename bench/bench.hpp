@@ -74,7 +74,8 @@ struct StepResult {
   std::vector<Part> parts = {};                  // of the advection step, each on its own
   /// As they are in a run of the vessel, s per particle; the advection step's acoustic steps apart.
   Timing acoustic_in_run = {}, advection_in_run = {};
-  Timing wall_fields = {};  // sampling the wall and adding to its cycle, in each advection step: not part of it
+  Timing wall_fields =
+      {};  // sampling the wall and adding to its cycle, in each advection step: not part of it
   double advection_over_acoustic = 0;        // median of the rounds' ratios
   double resident = 0, resident_before = 0;  // bytes: largest so far, and before the vessel was made
   WallResult walls = {};

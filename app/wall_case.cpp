@@ -54,6 +54,9 @@ std::string check_wall(const WallCase& w) {
   if (w.thickness.has_value() == w.varying_thickness.has_value())
     return "a shell needs either \"thickness\" or \"varying_thickness\"; write for example \"thickness: 2 "
            "mm\"";
+  if (w.gauss_points == 4)
+    return "\"gauss_points\" is 4; through the thickness 1, 2, 3 or 5 are possible, write for example "
+           "\"gauss_points: 5\"";
   if (!w.material)
     return "a shell needs its \"material\"; write for example \"material: {law: neo_hookean, E: 0.75 MPa, "
            "nu: 0.49}\"";

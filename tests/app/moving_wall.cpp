@@ -81,6 +81,8 @@ TEST_F(MovingWall, WhatAShellNeeds) {
   EXPECT_THAT(refused("{model: shell, thickness: 1 mm}"), HasSubstr("a shell needs its \"material\""));
   EXPECT_THAT(refused(fmt::format("{{model: shell, {}}}", material)),
               HasSubstr("a shell needs either \"thickness\" or \"varying_thickness\""));
+  EXPECT_THAT(refused(fmt::format("{{model: shell, thickness: 1 mm, gauss_points: 4, {}}}", material)),
+              HasSubstr("1, 2, 3 or 5 are possible"));
   EXPECT_THAT(refused("{model: shell, thickness: 1 mm, material: {law: holzapfel, E: 0.1 MPa, nu: 0.49}}"),
               HasSubstr("needs \"k1\" and \"k2\" of its fibres"));
   EXPECT_THAT(refused(fmt::format("{{model: shell, varying_thickness: {{opening: inn, at_opening: 1 mm, "

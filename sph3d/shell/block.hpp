@@ -16,6 +16,8 @@
 #pragma once
 #include <cstdint>
 
+#include "core/vec.hpp"
+
 namespace ostium::sph3d {
 
 template <int D>
@@ -106,5 +108,13 @@ struct ShellConstants {
   double kick = 0, drift = 0;   ///< lengths of both                                         s
   double keep = 1, weight = 1;  ///< v <- (keep v + kick a) / weight: mass-proportional damping
 };
+
+/// The vector of one lane.
+template <int D>
+Vec<D> at(const double (&field)[D][8], std::size_t lane) {
+  Vec<D> x;
+  for (int d = 0; d < D; ++d) x[d] = field[d][lane];
+  return x;
+}
 
 }  // namespace ostium::sph3d

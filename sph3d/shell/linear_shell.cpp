@@ -6,13 +6,6 @@ namespace ostium::sph3d {
 
 namespace {
 
-template <int D>
-Vec<D> at(const double (&field)[D][8], std::size_t lane) {
-  Vec<D> x;
-  for (int d = 0; d < D; ++d) x[d] = field[d][lane];
-  return x;
-}
-
 /// The tangents of the reference and their normals.
 template <int D>
 struct Reference {

@@ -8,13 +8,6 @@ namespace ostium::sph3d {
 namespace {
 
 template <int D>
-Vec<D> at(const double (&field)[D][8], std::size_t lane) {
-  Vec<D> x;
-  for (int d = 0; d < D; ++d) x[d] = field[d][lane];
-  return x;
-}
-
-template <int D>
 Fibres<double> fibres_at(const ShellReference<D>& r, std::size_t lane) {
   Fibres<double> fibres;
   for (int t = 0; t < D - 1; ++t)

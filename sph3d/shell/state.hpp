@@ -29,11 +29,6 @@ struct ShellState {
   void normal_rate(std::size_t a, const Vec<D>& w) { put(blocks[a / 8].w, a % 8, w); }
 
  private:
-  static Vec<D> at(const double (&field)[D][8], std::size_t lane) {
-    Vec<D> x;
-    for (int d = 0; d < D; ++d) x[d] = field[d][lane];
-    return x;
-  }
   static void put(double (&field)[D][8], std::size_t lane, const Vec<D>& x) {
     for (int d = 0; d < D; ++d) field[d][lane] = x[d];
   }

@@ -8,6 +8,10 @@
 ///   p_k  Pa   pressure of the node at port k, or the fixed pressure of a grounded port
 ///   y_i       flows (m3/s), pressures (Pa) or volumes (m3) of the block's own; differential or algebraic
 ///
+/// A switch (open or closed valve) is an own unknown that is 1 or 0 and has the equation 0 = dy/dt; its guard says
+/// how long: a switch that is on stays on while guard >= 0, one that is off stays off while guard <= 0. The
+/// integrator finds the time at which a guard passes zero and throws the switch there.
+///
 /// A new block is one header that declares a struct (lumped/element.hpp says what it must have), one line in
 /// lumped/registry.cpp, one test. Not checked here: anything about the graph (network/graph does).
 #pragma once
@@ -18,13 +22,17 @@
 
 namespace ostium::lumped {
 
-enum class Quantity { pressure, flow, volume, ratio };
+enum class Quantity { pressure, flow, volume, ratio, length, velocity };
+
+/// The size at which a quantity matters: absolute tolerances are fractions of it.
+double scale_of(Quantity quantity);
 
 /// One own unknown of a block. The quantity gives the unit of its series and the scale of its tolerance.
 struct Unknown {
   const char* name = "";
   Quantity quantity = Quantity::flow;
   bool differential = false;
+  bool is_switch = false;  // 0 or 1, constant between two events
 };
 
 /// An end of a block: a node, or (node empty) a ground of fixed pressure.
@@ -61,6 +69,12 @@ class Block {
   virtual void residual(double t, const double* x, double* f) const = 0;
   /// jacobian: row-major, df_i/dx_j, (unknowns + ports) x (ports + 2 unknowns).
   virtual void jacobian(double t, const double* x, double* jacobian) const = 0;
+  /// One guard per switch, in the order of the unknowns, over the scale of its quantity.
+  virtual void guards(double t, const double* x, double* g) const = 0;
+  /// Throws the k-th switch in the block's own unknowns y, and what must be reset with it.
+  virtual void throw_switch(int k, double* y) const = 0;
+  virtual int switch_count() const = 0;
+
   /// Start values of the differential unknowns; the others are found by the network.
   virtual void initial(double* y) const = 0;
 

@@ -13,9 +13,13 @@
 ///
 /// Optional members, used where present: `branches()` (default: one branch of `nature` from terminal 0 to 1),
 /// `initial(y)` (default 0), `compliance()`, `kinks(t0, t1)`, `prescribed_flow(t)`, `needs_opening()`,
-/// `at_opening(area)`, `static constexpr bool linear = false` for a block whose coefficients change. A block
-/// ties its own unknowns by as many equations; an algebraic unknown's derivative must not appear in them.
+/// `at_opening(area)`, `linear` (a constant or a function; default true) false for a block whose coefficients
+/// change, `present_unknowns()` where parameters decide which unknowns are differential, `prepare()` for what is
+/// computed from the parameters once, and for a block with switches `guards(in)` and, where a switch resets
+/// more than itself, `reset(k, y)`. A block ties its own unknowns by as many equations; an algebraic unknown's
+/// derivative must not appear in them.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -44,11 +48,14 @@ struct Out {
 template <class B>
 class BlockOf final : public Block {
  public:
-  explicit BlockOf(B parameters) : b_(std::move(parameters)), terminals_(b_.terminals()) {}
+  explicit BlockOf(B parameters) : b_(prepared(std::move(parameters))), terminals_(b_.terminals()) {
+    for (int i = 0; i < own; ++i)
+      if (unknowns_[i].is_switch) switches_.push_back(i);
+  }
 
   const char* type() const override { return B::type; }
   const std::vector<Terminal>& terminals() const override { return terminals_; }
-  std::span<const Unknown> unknowns() const override { return B::unknowns; }
+  std::span<const Unknown> unknowns() const override { return unknowns_; }
 
   std::vector<Branch> branches() const override {
     if constexpr (requires { b_.branches(); })
@@ -70,13 +77,27 @@ class BlockOf final : public Block {
     for (int k = 0; k < B::ports; ++k) write(out.into[k], jacobian + (own + k) * inputs);
   }
 
+  void guards(double t, const double* x, double* g) const override {
+    if constexpr (requires(const In<B, double>& in) { b_.guards(in); }) {
+      const auto values = b_.guards(input<double>(t, [x](int k) { return x[k]; }));
+      std::copy(values.begin(), values.end(), g);
+    }
+  }
+  void throw_switch(int k, double* y) const override {
+    y[switches_[k]] = 1 - y[switches_[k]];
+    if constexpr (requires { b_.reset(k, y); }) b_.reset(k, y);
+  }
+  int switch_count() const override { return static_cast<int>(switches_.size()); }
+
   void initial(double* y) const override {
     for (int i = 0; i < own; ++i) y[i] = 0;
     if constexpr (requires { b_.initial(y); }) b_.initial(y);
   }
 
   bool linear() const override {
-    if constexpr (requires { B::linear; })
+    if constexpr (requires { b_.linear(); })
+      return b_.linear();
+    else if constexpr (requires { B::linear; })
       return B::linear;
     else
       return true;
@@ -118,15 +139,32 @@ class BlockOf final : public Block {
   static constexpr int own = static_cast<int>(B::unknowns.size());
   static constexpr int inputs = B::ports + 2 * own;
 
+  static B prepared(B parameters) {
+    if constexpr (requires { parameters.prepare(); }) parameters.prepare();
+    return parameters;
+  }
+
+  std::array<Unknown, B::unknowns.size()> unknowns_of() const {
+    if constexpr (requires { b_.present_unknowns(); })
+      return b_.present_unknowns();
+    else
+      return B::unknowns;
+  }
+
   template <class T, class Read>
-  Out<B, T> evaluate(double t, Read read) const {
+  In<B, T> input(double t, Read read) const {
     In<B, T> in;
     in.t = t;
     for (int k = 0; k < B::ports; ++k) in.p[k] = read(k);
     for (int i = 0; i < own; ++i) in.y[i] = read(B::ports + i);
     for (int i = 0; i < own; ++i) in.dy[i] = read(B::ports + own + i);
+    return in;
+  }
+
+  template <class T, class Read>
+  Out<B, T> evaluate(double t, Read read) const {
     Out<B, T> out;
-    b_.equations(in, out);
+    b_.equations(input<T>(t, read), out);
     return out;
   }
 
@@ -137,6 +175,8 @@ class BlockOf final : public Block {
 
   B b_;
   std::vector<Terminal> terminals_;
+  std::array<Unknown, B::unknowns.size()> unknowns_ = unknowns_of();
+  std::vector<int> switches_;
 };
 
 }  // namespace ostium::lumped

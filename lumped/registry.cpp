@@ -2,10 +2,19 @@
 
 #include "core/did_you_mean.hpp"
 #include "lumped/capacitor.hpp"
+#include "lumped/coronary.hpp"
+#include "lumped/elastance_chamber.hpp"
+#include "lumped/exponential_chamber.hpp"
 #include "lumped/flow_source.hpp"
 #include "lumped/inductor.hpp"
+#include "lumped/orifice_valve.hpp"
 #include "lumped/pressure_source.hpp"
+#include "lumped/rc.hpp"
 #include "lumped/resistor.hpp"
+#include "lumped/smooth_valve.hpp"
+#include "lumped/sphere_chamber.hpp"
+#include "lumped/valve.hpp"
+#include "lumped/vessel.hpp"
 #include "lumped/windkessel.hpp"
 
 namespace ostium::lumped {
@@ -53,8 +62,21 @@ std::vector<std::string> names() {
 
 const std::vector<BlockType>& block_types() {
   static const std::vector<BlockType> types{
-      entry<Resistor>(),   entry<Capacitor>(),  entry<Inductor>(),
-      entry<Windkessel>(), entry<FlowSource>(), entry<PressureSource>(),
+      entry<Resistor>(),
+      entry<Capacitor>(),
+      entry<Inductor>(),
+      entry<Vessel>(),
+      entry<Rc>(),
+      entry<Windkessel>(),
+      entry<Coronary>(),
+      entry<ElastanceChamber>(),
+      entry<ExponentialChamber>(),
+      entry<SphereChamber>(),
+      entry<Valve>(),
+      entry<SmoothValve>(),
+      entry<OrificeValve>(),
+      entry<FlowSource>(),
+      entry<PressureSource>(),
   };
   return types;
 }

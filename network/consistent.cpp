@@ -1,5 +1,6 @@
 #include "network/consistent.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -68,6 +69,56 @@ void Consistent::solve(double t, std::span<const double> port_flow, double* y, d
       "the network finds no consistent pressures and flows at t = {} s (last correction {:.3g} of their "
       "scale)",
       t, last);
+}
+
+void Consistent::settle(double t, std::span<const double> port_flow, double* y, double* dy,
+                        std::vector<int> thrown) {
+  constexpr int most = 10;
+  solve(t, port_flow, y, dy);
+  thrown.resize(system_.switch_count(), 0);
+  while (const auto worst = misplaced(t, port_flow, y, dy, thrown)) {
+    if (thrown[*worst]++ > most) refuse_chatter(t, *worst);
+    system_.throw_switch(*worst, y);
+    solve(t, port_flow, y, dy);
+  }
+}
+
+/// The switch whose guard is farthest on the wrong side, or about to go there: an event is found to within the
+/// integrator's tolerance, and there the direction tells more than the sign. What has been thrown at zero stays.
+std::optional<int> Consistent::misplaced(double t, std::span<const double> port_flow, const double* y,
+                                         const double* dy, const std::vector<int>& thrown) {
+  const int n = system_.switch_count();
+  if (n == 0) return std::nullopt;
+  std::vector<double> now(n), soon(n, 0.0);
+  system_.guards(t, y, dy, now.data());
+  const auto at_zero = [](double g) { return std::abs(g) <= guard_tolerance; };
+  if (std::any_of(now.begin(), now.end(), at_zero)) soon = guards_after(moment, t, port_flow, y, dy);
+  std::optional<int> worst;
+  double most = 1e-13;  // less is round-off
+  for (int k = 0; k < n; ++k) {
+    const double g = !at_zero(now[k]) ? now[k] : thrown[k] ? 0.0 : soon[k] - now[k];
+    const double wrong = system_.on(k, y) ? -g : g;
+    if (wrong > most) worst = k, most = wrong;
+  }
+  return worst;
+}
+
+/// Guards a little later: the states go on at their rates.
+std::vector<double> Consistent::guards_after(double dt, double t, std::span<const double> port_flow,
+                                             const double* y, const double* dy) {
+  std::vector<double> y1(y, y + system_.size()), dy1(dy, dy + system_.size()), g(system_.switch_count());
+  for (int j : system_.states()) y1[j] += dt * dy[j];
+  solve(t + dt, port_flow, y1.data(), dy1.data());
+  system_.guards(t + dt, y1.data(), dy1.data(), g.data());
+  return g;
+}
+
+void Consistent::refuse_chatter(double t, int k) const {
+  numerics_error(
+      "the network finds no position of its valves at t = {} s: {} is thrown back and forth; two valves "
+      "without "
+      "resistance may act on each other: give them one, or a small compliance to the node between them",
+      t, system_.switch_name(k));
 }
 
 Eigen::VectorXd Consistent::rates(double t, std::span<const double> port_flow, const double* y,

@@ -1,4 +1,4 @@
-/// Consistent values: the algebraic unknowns and the rates that belong to given states.
+/// Consistent values: the algebraic unknowns, the rates and the positions of switches that belong to given states.
 ///
 ///   given x (differential unknowns), t, Q:   find (dx/dt, z) with F(t, x, z, dx/dt; Q) = 0
 ///   M = [dF/d(dx/dt) | dF/dz],   regular exactly where the equations are of index 1
@@ -8,6 +8,7 @@
 /// Comput. 19 (1998) 1495. Not checked: index (StateSpace does).
 #pragma once
 #include <Eigen/SparseLU>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,11 @@ class Consistent {
   /// y: states in, all unknowns out. dy: rates of the states out, 0 for algebraic unknowns.
   void solve(double t, std::span<const double> port_flow, double* y, double* dy);
 
+  /// solve, and throws the switches whose guards say so until none does. `thrown`: one per switch, what an event
+  /// has just thrown.
+  void settle(double t, std::span<const double> port_flow, double* y, double* dy,
+              std::vector<int> thrown = {});
+
   /// Derivatives of y for port flows held, at consistent (y, dy): rates of the states and of the algebraic
   /// unknowns.
   Eigen::VectorXd rates(double t, std::span<const double> port_flow, const double* y, const double* dy);
@@ -30,6 +36,14 @@ class Consistent {
   void factorise(double t, const double* y, const double* dy);
   Eigen::VectorXd solved(const Eigen::VectorXd& residual) const;
   double correct(double t, std::span<const double> port_flow, double* y, double* dy);
+  std::optional<int> misplaced(double t, std::span<const double> port_flow, const double* y, const double* dy,
+                               const std::vector<int>& thrown);
+  std::vector<double> guards_after(double dt, double t, std::span<const double> port_flow, const double* y,
+                                   const double* dy);
+  [[noreturn]] void refuse_chatter(double t, int k) const;
+
+  static constexpr double moment = 1e-6;           // s, far below any time of the circulation
+  static constexpr double guard_tolerance = 1e-6;  // of the scale of what the guard watches
 
   const System& system_;
   Eigen::SparseMatrix<double> matrix_;

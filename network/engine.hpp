@@ -2,7 +2,8 @@
 ///
 ///   exact   x(t+h) = e^{Ah} x(t) + int_0^h e^{A(h-s)} g(t+s) ds, linear networks only;
 ///           g a cubic through four samples, the interval halved until two more samples agree
-///   ida     SUNDIALS IDA: variable-order BDF, sparse direct solver, exact Jacobian
+///   ida     SUNDIALS IDA: variable-order BDF, sparse direct solver, exact Jacobian; where the guard of a switch
+///           passes zero it stops, throws the switch, finds consistent values and starts anew
 ///
 /// Source: Moler & van Loan, SIAM Rev. 45 (2003) 3; van Loan, IEEE TAC 23 (1978) 395; Hindmarsh et al., ACM
 /// TOMS 31 (2005) 363.
@@ -31,6 +32,7 @@ class Engine {
 };
 
 std::unique_ptr<Engine> make_exact_engine(const System& system, Consistent& consistent);
-std::unique_ptr<Engine> make_ida_engine(const System& system, double relative_tolerance);
+std::unique_ptr<Engine> make_ida_engine(const System& system, Consistent& consistent,
+                                        double relative_tolerance);
 
 }  // namespace ostium::network

@@ -4,6 +4,7 @@
 #include <sunmatrix/sunmatrix_sparse.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "core/error.hpp"
@@ -15,8 +16,11 @@ namespace {
 
 class IdaEngine final : public Engine {
  public:
-  IdaEngine(const System& system, double relative_tolerance)
-      : system_(system), d_y_(system.pattern().nonZeros()), d_dy_(system.pattern().nonZeros()) {
+  IdaEngine(const System& system, Consistent& consistent, double relative_tolerance)
+      : system_(system),
+        consistent_(consistent),
+        d_y_(system.pattern().nonZeros()),
+        d_dy_(system.pattern().nonZeros()) {
     check(SUNContext_Create(nullptr, &context_), "SUNContext_Create");
     y_ = N_VNew_Serial(system.size(), context_);
     dy_ = N_VNew_Serial(system.size(), context_);
@@ -43,18 +47,56 @@ class IdaEngine final : public Engine {
     const int n = system_.size();
     std::copy(y, y + n, data(y_));
     std::copy(dy, dy + n, data(dy_));
-    check(IDAReInit(ida_, a, y_, dy_), "IDAReInit");
-    // pivots of earlier intervals forgotten: a restart has the same bits as a run that goes on
-    check(SUNLinSol_KLUReInit(solver_, matrix_, system_.pattern().nonZeros(), SUNKLU_REINIT_PARTIAL),
-          "KLUReInit");
-    check(IDASetStopTime(ida_, b), "IDASetStopTime");
-    double reached = a;
-    const int flag = IDASolve(ida_, b, &reached, y_, dy_, IDA_NORMAL);
-    if (flag < 0) give_up(flag, reached);
+    for (int events = 0; a < b; ++events) {
+      a = to_event(a, b);
+      if (a < b) throw_switches(a, events);
+    }
     std::copy(data(y_), data(y_) + n, y);
   }
 
  private:
+  /// Integrates from a to b or to the first event before it; returns the time reached.
+  double to_event(double a, double b) {
+    // so close to the end a step would be of the size of round-off
+    if (b - a < 1e-13 * (std::abs(a) + std::abs(b))) return b;
+    check(IDAReInit(ida_, a, y_, dy_), "IDAReInit");
+    // pivots of earlier intervals forgotten: a restart has the same bits as a run that goes on
+    check(SUNLinSol_KLUReInit(solver_, matrix_, system_.pattern().nonZeros(), SUNKLU_REINIT_PARTIAL),
+          "KLUReInit");
+    set_directions();
+    check(IDASetStopTime(ida_, b), "IDASetStopTime");
+    double reached = a;
+    const int flag = IDASolve(ida_, b, &reached, y_, dy_, IDA_NORMAL);
+    if (flag < 0) give_up(flag, reached);
+    return flag == IDA_ROOT_RETURN ? reached : b;
+  }
+
+  /// A switch that is on goes off where its guard falls through zero, and the other way round.
+  void set_directions() {
+    const int n = system_.switch_count();
+    if (n == 0) return;
+    std::vector<int> direction(n);
+    for (int k = 0; k < n; ++k) direction[k] = system_.on(k, data(y_)) ? -1 : 1;
+    check(IDASetRootDirection(ida_, direction.data()), "IDASetRootDirection");
+  }
+
+  void throw_switches(double t, int events) {
+    std::vector<int> found(system_.switch_count());
+    check(IDAGetRootInfo(ida_, found.data()), "IDAGetRootInfo");
+    for (int k = 0; k < system_.switch_count(); ++k)
+      if (found[k] != 0) {
+        if (events > 10000) refuse_chatter(t, k);
+        system_.throw_switch(k, data(y_));
+      }
+    for (int& f : found) f = f != 0;
+    consistent_.settle(t, flows_->at(t), data(y_), data(dy_), found);
+  }
+
+  [[noreturn]] void refuse_chatter(double t, int k) const {
+    numerics_error("the network stopped at t = {:.9g} s: {} opens and closes without end", t,
+                   system_.switch_name(k));
+  }
+
   static double* data(N_Vector v) { return N_VGetArrayPointer(v); }
 
   void open(double relative_tolerance) {
@@ -65,17 +107,27 @@ class IdaEngine final : public Engine {
     check(IDASetSuppressAlg(ida_, SUNTRUE), "IDASetSuppressAlg");
     check(IDASetUserData(ida_, this), "IDASetUserData");
     check(IDASetMaxNumSteps(ida_, 200000), "IDASetMaxNumSteps");
+    check(IDASetMaxConvFails(ida_, 100), "IDASetMaxConvFails");
     check(IDASetErrFile(ida_, nullptr), "IDASetErrFile");
     matrix_ =
         SUNSparseMatrix(system_.size(), system_.size(), system_.pattern().nonZeros(), CSC_MAT, context_);
     solver_ = SUNLinSol_KLU(y_, matrix_, context_);
     check(IDASetLinearSolver(ida_, solver_, matrix_), "IDASetLinearSolver");
     check(IDASetJacFn(ida_, jacobian), "IDASetJacFn");
+    if (system_.switch_count() > 0) {
+      check(IDARootInit(ida_, system_.switch_count(), guards), "IDARootInit");
+      check(IDASetNoInactiveRootWarn(ida_), "IDASetNoInactiveRootWarn");
+    }
   }
 
   static int residual(double t, N_Vector y, N_Vector dy, N_Vector f, void* user) {
     auto& self = *static_cast<IdaEngine*>(user);
     self.system_.residual(t, data(y), data(dy), self.flows_->at(t), data(f));
+    return 0;
+  }
+
+  static int guards(double t, N_Vector y, N_Vector dy, double* g, void* user) {
+    static_cast<IdaEngine*>(user)->system_.guards(t, data(y), data(dy), g);
     return 0;
   }
 
@@ -116,6 +168,7 @@ class IdaEngine final : public Engine {
   }
 
   const System& system_;
+  Consistent& consistent_;
   const Flows* flows_ = nullptr;
   std::vector<double> d_y_, d_dy_;
   SUNContext context_ = nullptr;
@@ -127,8 +180,9 @@ class IdaEngine final : public Engine {
 
 }  // namespace
 
-std::unique_ptr<Engine> make_ida_engine(const System& system, double relative_tolerance) {
-  return std::make_unique<IdaEngine>(system, relative_tolerance);
+std::unique_ptr<Engine> make_ida_engine(const System& system, Consistent& consistent,
+                                        double relative_tolerance) {
+  return std::make_unique<IdaEngine>(system, consistent, relative_tolerance);
 }
 
 }  // namespace ostium::network

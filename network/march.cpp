@@ -20,11 +20,11 @@ std::vector<double> stops(const System& system, double t0, double t1) {
 }  // namespace
 
 void march(const System& system, Consistent& consistent, Engine& engine, const Flows& flows, State& s) {
-  consistent.solve(flows.t0, flows.at(flows.t0), s.y.data(), s.dy.data());
+  consistent.settle(flows.t0, flows.at(flows.t0), s.y.data(), s.dy.data());
   s.time = flows.t0;
   for (double t : stops(system, flows.t0, flows.t1)) {
     engine.advance(s.time, t, flows, s.y.data(), s.dy.data());
-    consistent.solve(t, flows.at(t), s.y.data(), s.dy.data());
+    consistent.settle(t, flows.at(t), s.y.data(), s.dy.data());
     s.time = t;
   }
 }
@@ -35,7 +35,7 @@ std::unique_ptr<Engine> make_engine(const System& system, Consistent& consistent
   const bool wanted = options.method == Method::exact ||
                       (options.method == Method::automatic && system.differential_unknowns().size() <= few);
   if (wanted && system.linear()) return make_exact_engine(system, consistent);
-  return make_ida_engine(system, options.relative_tolerance);
+  return make_ida_engine(system, consistent, options.relative_tolerance);
 }
 
 }  // namespace ostium::network

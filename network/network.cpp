@@ -40,7 +40,7 @@ Network::Network(Model model, std::vector<Port> ports, NetworkOptions options)
           .dy = std::vector<double>(start.size(), 0.0),
           .port_flow = {}};
   s.port_flow.resize(port_count());
-  parts_->consistent.solve(s.time, s.port_flow, s.y.data(), s.dy.data());
+  parts_->consistent.settle(s.time, s.port_flow, s.y.data(), s.dy.data());
   state_ = std::move(s);
 }
 

@@ -45,7 +45,7 @@ class Orbit {
   /// Calls visit(i) at t = i period/n for i = 0 .. n-1; ends a period later.
   template <class F>
   void sample(int n, F visit) {
-    consistent_.solve(0, no_flow_, state_.y.data(), state_.dy.data());
+    consistent_.settle(0, no_flow_, state_.y.data(), state_.dy.data());
     state_.time = 0;
     for (int i = 0; i < n; ++i) {
       visit(i);
@@ -61,14 +61,14 @@ class Orbit {
 
  private:
   Eigen::VectorXd states() const {
-    const auto& index = system_.differential_unknowns();
+    const auto& index = system_.states();
     Eigen::VectorXd x(index.size());
     for (size_t i = 0; i < index.size(); ++i) x[i] = state_.y[index[i]] / system_.scale()[index[i]];
     return x;
   }
 
   void set(const Eigen::VectorXd& x) {
-    const auto& index = system_.differential_unknowns();
+    const auto& index = system_.states();
     for (size_t i = 0; i < index.size(); ++i) state_.y[index[i]] = x[i] * system_.scale()[index[i]];
   }
 
@@ -103,7 +103,7 @@ class Orbit {
         "{}: the network has no periodic state of its own: nothing brings {} back to one value; give it a "
         "way out, for "
         "example a resistor to a ground, or start from rest",
-        system_.model().where, system_.names()[system_.differential_unknowns()[at]]);
+        system_.model().where, system_.names()[system_.states()[at]]);
   }
 
   Closure closure_;
@@ -141,7 +141,7 @@ State opened(const Orbit& orbit, const System& coupled, const std::vector<double
     OSTIUM_ASSERT(at != names.end(), "no {} in the closed network", coupled.names()[i]);
     s.y[i] = orbit.state().y[at - names.begin()];
   }
-  Consistent(coupled).solve(0, port_flow, s.y.data(), s.dy.data());
+  Consistent(coupled).settle(0, port_flow, s.y.data(), s.dy.data());
   return s;
 }
 

@@ -10,20 +10,6 @@ namespace {
 
 using lumped::Quantity;
 
-double scale_of(Quantity q) {
-  switch (q) {
-    case Quantity::pressure:
-      return 13332.2;  // 100 mmHg
-    case Quantity::flow:
-      return 1e-4;  // 100 mL/s
-    case Quantity::volume:
-      return 1e-4;  // 100 mL
-    case Quantity::ratio:
-      return 1;
-  }
-  return 1;
-}
-
 std::string series_name(const std::string& block, const lumped::Unknown& u) {
   const std::string inner = std::string(u.name) == "q" ? block : block + "." + u.name;
   switch (u.quantity) {
@@ -35,6 +21,10 @@ std::string series_name(const std::string& block, const lumped::Unknown& u) {
       return "v:" + inner + "_m3";
     case Quantity::ratio:
       return "x:" + inner;
+    case Quantity::length:
+      return "l:" + inner + "_m";
+    case Quantity::velocity:
+      return "u:" + inner + "_m_s";
   }
   return inner;
 }
@@ -50,15 +40,17 @@ System::System(Model model, std::vector<Port> ports, Junction junction)
 
 void System::name_unknowns() {
   std::vector<double> scales;
-  const auto add = [&](std::string name, Quantity q, bool differential) {
-    if (differential) states_.push_back(size());
+  const auto add = [&](std::string name, Quantity q, bool differential, bool is_switch) {
+    if (differential) differential_unknowns_.push_back(size());
+    if (differential && !is_switch) states_.push_back(size());
     names_.push_back(std::move(name));
     differential_.push_back(differential);
-    scales.push_back(scale_of(q));
+    scales.push_back(lumped::scale_of(q));
   };
-  for (const auto& node : graph_.nodes) add("p:" + node + "_Pa", Quantity::pressure, false);
+  for (const auto& node : graph_.nodes) add("p:" + node + "_Pa", Quantity::pressure, false, false);
   for (const auto& e : model_.entries)
-    for (const auto& u : e.block->unknowns()) add(series_name(e.name, u), u.quantity, u.differential);
+    for (const auto& u : e.block->unknowns())
+      add(series_name(e.name, u), u.quantity, u.differential, u.is_switch);
   scale_ = Eigen::Map<Eigen::VectorXd>(scales.data(), static_cast<int>(scales.size()));
 }
 
@@ -68,6 +60,8 @@ void System::place_blocks() {
     const auto& b = *model_.entries[i].block;
     Placed p{.block = &b, .own = own, .node = graph_.node_of[i], .row = {}, .slots = {}};
     for (int k = 0; k < b.unknown_count(); ++k) p.row.push_back(own + k);
+    for (int k = 0, n = 0; k < b.unknown_count(); ++k)
+      if (b.unknowns()[k].is_switch) switches_.push_back({static_cast<int>(i), n++, own + k});
     p.row.insert(p.row.end(), p.node.begin(), p.node.end());
     own += b.unknown_count();
     linear_ = linear_ && b.linear();
@@ -136,6 +130,22 @@ void System::jacobian(double t, const double* y, const double* dy, double* d_y, 
     p.block->jacobian(t, x.data(), local.data());
     for (const auto& s : p.slots) (s.part ? d_dy : d_y)[s.to] += local[s.from];
   }
+}
+
+void System::guards(double t, const double* y, const double* dy, double* g) const {
+  std::vector<double> x;
+  for (const auto& p : placed_) {
+    const int n = p.block->switch_count();
+    if (n == 0) continue;
+    gather(p, y, dy, x);
+    p.block->guards(t, x.data(), g);
+    g += n;
+  }
+}
+
+void System::throw_switch(int k, double* y) const {
+  const auto& s = switches_[k];
+  placed_[s.entry].block->throw_switch(s.number, y + placed_[s.entry].own);
 }
 
 Eigen::VectorXd System::start() const {

@@ -28,12 +28,21 @@ class System {
   const std::vector<std::string>& names() const { return names_; }
   const Eigen::VectorXd& scale() const { return scale_; }
   bool differential(int i) const { return differential_[i]; }
-  const std::vector<int>& differential_unknowns() const { return states_; }
+  const std::vector<int>& differential_unknowns() const { return differential_unknowns_; }
+  /// The differential unknowns without the switches: what a trajectory starts from.
+  const std::vector<int>& states() const { return states_; }
   bool linear() const { return linear_; }
 
   /// port_flow: one per port, entries of flow ports are ignored.
   void residual(double t, const double* y, const double* dy, std::span<const double> port_flow,
                 double* f) const;
+
+  int switch_count() const { return static_cast<int>(switches_.size()); }
+  bool on(int k, const double* y) const { return y[switches_[k].unknown] > 0.5; }
+  /// One per switch: >= 0 while it may stay on, <= 0 while it may stay off (lumped/block.hpp).
+  void guards(double t, const double* y, const double* dy, double* g) const;
+  void throw_switch(int k, double* y) const;
+  const std::string& switch_name(int k) const { return names_[switches_[k].unknown]; }
 
   /// Pattern of the Jacobian (compressed columns) and its two parts on it.
   const Eigen::SparseMatrix<double>& pattern() const { return pattern_; }
@@ -63,6 +72,10 @@ class System {
     std::vector<Slot> slots;
   };
 
+  struct Switch {
+    int entry, number, unknown;
+  };
+
   void name_unknowns();
   void place_blocks();
   void make_pattern();
@@ -75,7 +88,8 @@ class System {
   std::vector<Placed> placed_;
   std::vector<std::string> names_;
   std::vector<bool> differential_;
-  std::vector<int> states_;
+  std::vector<int> differential_unknowns_, states_;
+  std::vector<Switch> switches_;
   Eigen::VectorXd scale_;
   Eigen::SparseMatrix<double> pattern_;
   bool linear_ = true;

@@ -129,7 +129,8 @@ std::vector<double> read_quantities(const Node& node, const FieldInfo& info) {
   if (node.is_scalar())
     values = at_position(node, [&] { return split_quantities(node.text(), info.unit); });
   else if (node.is_list())
-    for (const Node& item : node.items()) values.push_back(read_quantity(item, info));
+    for (const Node& item : node.items())
+      values.push_back(info.unit == "1" ? read_number(item, info) : read_quantity(item, info));
   else
     node.error("expected a list of values with units, found {}", node.describe());
   if (info.length && values.size() != info.length)

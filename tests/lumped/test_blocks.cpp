@@ -89,11 +89,15 @@ TEST(PressureSource, AtEitherEndAndBetween) {
   expect_exact_jacobian(*pump, {10, 14, 2, 0.1});
 }
 
-/// The snippet each header shows its reader must be one the program reads.
+/// The snippet each header shows its reader must be one the program reads; it may run over several lines.
 std::string example_of(const std::string& type) {
   std::ifstream header(std::string(OSTIUM_SOURCE_DIR) + "/lumped/" + type + ".hpp");
-  for (std::string line; std::getline(header, line);)
-    if (line == "/// Example:" && std::getline(header, line)) return line.substr(line.find(": ") + 2);
+  std::string text;
+  for (std::string line; std::getline(header, line);) {
+    if (line == "///" && !text.empty()) return text.substr(text.find(": ") + 2);
+    if (!text.empty() || line == "/// Example:")
+      text += line.substr(line == "/// Example:" ? line.size() : 3) + " ";
+  }
   return "";
 }
 

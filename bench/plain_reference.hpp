@@ -19,9 +19,17 @@ struct Neighbourhood {
 
 template <int D>
 struct Particle {
-  Vec<D> x = Vec<D>::Zero(), v = x, diss = x, prior = x, gradient = x, G = x, wall = x, viscous = x;
+  Vec<D> x = Vec<D>::Zero(), v = x, diss = x, prior = x, gradient = x, G = x, imbalance = x, wall = x,
+         viscous = x;
   Mat<D> B = Mat<D>::Zero(), moment = B;
-  double psi = 0, rate = 0, density = 0, k0 = 0, friction = 0;
+  double psi = 0, rate = 0, density = 0, k0 = 0, friction = 0, along = 0;
+
+  /// With what the wall does not show of changes along it.
+  Vec<D> completed(const Vec<D>& u) const {
+    if (wall.norm() == 0.0) return u;
+    const Vec<D> n = wall.normalized();
+    return u + along * (u - n.dot(u) * n);
+  }
 };
 
 template <int D>
@@ -44,7 +52,8 @@ struct Fluid {
       p.prior = lane_vector<D>(own.prior, lane);
       p.wall = lane_vector<D>(own.wall, lane);
       p.B = lane_matrix<D>(own.B, lane);
-      p.psi = own.psi[lane], p.rate = own.rate[lane], p.friction = own.friction[lane];
+      p.psi = own.psi[lane], p.rate = own.rate[lane], p.friction = own.friction[lane],
+      p.along = own.along[lane];
       particles.push_back(p);
     }
     find_neighbours(model, state);
@@ -73,12 +82,16 @@ struct Fluid {
       Particle<D>& p = particles[i];
       const Neighbourhood<D>& n = neighbours[i];
       p.G = 2.0 * p.B * p.wall, p.viscous.setZero();
+      Vec<D> gradient = Vec<D>::Zero();
       for (std::size_t k = 0; k < n.j.size(); ++k) {
         const Particle<D>& q = particles[n.j[k]];
         p.G += n.dW_V[k] * q.B * n.e[k];
+        gradient += n.dW_V[k] * n.e[k];
         const double g = 0.5 * n.e[k].dot((p.B + q.B) * n.e[k]);
         p.viscous += 2.0 * nu * g * n.dW_V[k] / n.r[k] * (p.v - q.v);
       }
+      p.imbalance = p.B * gradient + p.G;
+      p.G -= p.completed(p.B * gradient) - p.B * gradient;
     }
   }
 
@@ -89,14 +102,17 @@ struct Fluid {
       Particle<D>& p = particles[i];
       const Neighbourhood<D>& n = neighbours[i];
       const double P = c * c * p.psi;
-      Vec<D> force = 2.0 * P * p.B * p.wall;
+      Vec<D> force = 2.0 * P * p.B * p.wall, gradient = Vec<D>::Zero();
       double jump = 0;
       for (std::size_t k = 0; k < n.j.size(); ++k) {
         const Particle<D>& q = particles[n.j[k]];
         const double Q = c * c * q.psi;
         force += (P * q.B + Q * p.B) * n.e[k] * n.dW_V[k];
+        gradient += (Q - P) * n.e[k] * n.dW_V[k];
         jump += (P - Q) * n.dW_V[k];
       }
+      gradient = p.B * gradient;
+      force += p.completed(gradient) - gradient;
       next[i] = (p.v + dt * (p.diss + p.prior - force)) / (1.0 + dt * p.friction);
       p.rate = (1.0 + p.psi) * jump / c;
     }
@@ -113,8 +129,8 @@ struct Fluid {
       p.diss.setZero();
       for (std::size_t k = 0; k < n.j.size(); ++k) {
         const double apart = (p.v - particles[n.j[k]].v).dot(n.e[k]), u = std::max(-apart, 0.0);
-        divergence += apart * n.dW_V[k];
-        p.diss -= std::min(limiter * u, c) * u * n.dW_V[k] * n.e[k];
+        divergence += p.completed(p.v - particles[n.j[k]].v).dot(n.e[k]) * n.dW_V[k];
+        p.diss -= std::clamp(limiter * u - 2.0 * nu / n.r[k], 0.0, c) * u * n.dW_V[k] * n.e[k];
       }
       const double size = p.wall.norm();
       if (size > 0.0) {

@@ -17,9 +17,10 @@ namespace ostium::sph3d {
 
 namespace {
 
-/// Mean kernel sum of the relaxed fluid: its density is 1, whatever its disorder does to the sum (about 0.5 %).
+/// Mean kernel sum of the relaxed fluid, of density 1 + psi: what it is at density 1, whatever its disorder does to the sum
+/// (about 0.5 %).
 template <int D>
-double undisturbed_density(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work) {
+double undisturbed_density(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, double psi) {
   freeze(model, fluid, work);
   find_zones(model, fluid, work);
   look_around(model, fluid, work);
@@ -28,7 +29,7 @@ double undisturbed_density(const Model<D>& model, FluidState<D>& fluid, Workspac
   std::size_t count = 0;
   for (std::size_t i = 0; i < fluid.places(); ++i) {
     if (!fluid.filled[i] || work.duct_of[i] >= 0) continue;
-    sum += work.sums[i / 8].density[i % 8] + work.around[i / 8].filling[i % 8];
+    sum += work.sums[i / 8].density[i % 8] / (1.0 + psi) + work.around[i / 8].filling[i % 8];
     ++count;
   }
   return count > 0 ? sum / static_cast<double>(count) : model.number_density;
@@ -42,7 +43,7 @@ Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::ve
   auto model = std::make_unique<Model<D>>(lumen, options, std::move(roles));
   state_.fluid = fill(*model, {.progress = progress});
   const double psi = pressure / (options.density * options.sound_speed * options.sound_speed);
-  model->number_density = undisturbed_density(*model, state_.fluid, work_) / (1.0 + psi);
+  model->number_density = undisturbed_density(*model, state_.fluid, work_, psi);
   model_ = std::move(model);
   for (std::size_t i = 0; i < state_.fluid.places(); ++i)
     if (state_.fluid.filled[i]) state_.fluid.psi(i) = static_cast<float>(psi);

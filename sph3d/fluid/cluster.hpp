@@ -13,10 +13,11 @@
 ///   rate     d psi/dt left by the last acoustic step                                   1/s
 ///   diss     acceleration by the velocity-jump dissipation of the last acoustic step   m/s2
 ///   prior    acceleration frozen for the advection step (viscosity, gravity)           m/s2
-///   G        sum_j B_j grad W V_j + 2 B_i grad S (wall)                                1/m
+///   G        sum_j B_j grad W V_j + 2 B_i grad S (wall) - along (1 - nn) B_i sum_j grad W V_j     1/m
 ///   B        correction matrix, upper triangle row by row                              -
 ///   k0       sum_j W' V_j                                                              1/m
 ///   wall     grad S of the wall                                                        1/m
+///   along    m/(1 - m), m the share of gradients along the wall that the particle does not see in it    -
 ///   moved    displacement since the positions were frozen                              m
 ///   friction rate at which the wall slows the particle, taken implicitly                 1/s
 ///   source   rate at which psi returns to the number density                             1/s
@@ -37,7 +38,7 @@ struct alignas(64) Cluster {
   float x[D][8], v[D][8];
   float psi[8], rate[8];
   float diss[D][8], prior[D][8], G[D][8], B[symmetric_size<D>][8];
-  float k0[8], wall[D][8], moved[D][8];
+  float k0[8], wall[D][8], along[8], moved[D][8];
   float friction[8], source[8], acceleration[8];
 };
 
@@ -111,6 +112,7 @@ struct FluidConstants {
   float density_factor = 0;  ///< W V = density_factor kV (1-r)^4 (1+4r)        m
   float viscosity = 0;       ///< kinematic viscosity                           m2/s
   float limiter = 0;         ///< of the pressure dissipation, 3; 0 turns it off
+  float damping = 0;         ///< 2 nu / 2h, the speed with which viscosity damps jumps over a reach  m/s
   float gravity[3] = {};     ///< body force per mass                           m/s2
   float number_density = 1;  ///< of the undisturbed fluid                      -
   float correction = 0;      ///< rate at which psi returns to the sum, theta/dt 1/s

@@ -10,7 +10,7 @@
 ///   acoustic_cfl      share of h sound may travel in an acoustic step (0.6)                -
 ///   shift             zeta of the transport shift (0.2)                                    -
 ///   limiter           of the pressure dissipation (3)                                      -
-///   friction_limit    largest ratio in the velocity continued through the wall (2), see HalfSpace   -
+///   friction_limit    largest ratio in the velocity continued through the wall (4), see HalfSpace   -
 ///   density_relaxation  theta: share of the number density in the re-initialisation (1)    -
 ///   gravity           body acceleration                                                    m/s2
 ///
@@ -31,7 +31,7 @@ template <int D>
 struct FluidOptions {
   double dp = 0, density = 1060, viscosity = 0, sound_speed = 0, reference_speed = 0;
   double advection_cfl = 0.25, acoustic_cfl = 0.6, shift = 0.2, limiter = 3.0, density_relaxation = 1.0;
-  double friction_limit = 2.0;  // of the velocity continued through the wall, see HalfSpace
+  double friction_limit = 4.0;  // of the velocity continued through the wall, see HalfSpace
   int reorder_every = 16;       // advection steps
   int most_acoustic_steps = 8;  // in one advection step, during which neighbours are frozen
   Vec<D> gravity = Vec<D>::Zero();

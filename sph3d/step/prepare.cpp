@@ -27,13 +27,16 @@ void complete_moments(const Model<D>& model, const FluidState<D>& fluid, Workspa
   }
 }
 
-/// Conveyors carry what they are given, and the fluid near an outer face takes its pressure: no correction of density.
+/// Conveyors carry what they are given, and the fluid near an outer face takes its pressure: no correction of density, nothing
+/// completed along the wall.
 template <int D>
 void spare_ducts(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>& work) {
   for (std::size_t k = 0; k < work.zones.size(); ++k)
     for (const auto& member : work.zones[k].members)
-      if (model.roles[k].flow_driven || member.depth < model.reach())
-        fluid.clusters[member.index / 8].source[member.index % 8] = 0.0f;
+      if (model.roles[k].flow_driven || member.depth < model.reach()) {
+        auto& cluster = fluid.clusters[member.index / 8];
+        cluster.source[member.index % 8] = cluster.along[member.index % 8] = 0.0f;
+      }
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ FluidConstants constants_of(const Model<D>& model) {
                            .density_factor = f(model.kernel.h / 10.0),
                            .viscosity = f(o.viscosity),
                            .limiter = f(o.limiter),
+                           .damping = f(2.0 * o.viscosity / model.kernel.reach()),
                            .number_density = f(model.number_density)};
   for (int d = 0; d < D; ++d) constants.gravity[d] = f(o.gravity[d]);
   return constants;

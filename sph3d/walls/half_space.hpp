@@ -28,7 +28,7 @@ template <int D>
 class HalfSpace {
  public:
   /// `most` caps the ratio in lambda; dp is the particle spacing, m.
-  HalfSpace(const Wendland<D>& kernel, double dp, double most = 2.0);
+  HalfSpace(const Wendland<D>& kernel, double dp, double most = 4.0);
 
   double filling(double s) const;
   double flux(double s) const;
@@ -48,7 +48,7 @@ class HalfSpace {
   Share share(float S) const;
 
  private:
-  static constexpr int n = 260;  // a node at dp/4, where friction has a kink, for h = 1.3 dp
+  static constexpr int n = 520;  // a node at dp/4, where friction has a kink, for h = 1.3 dp
   using Table = std::array<double, n + 1>;
 
   double at(const Table& table, double s) const;
@@ -56,7 +56,7 @@ class HalfSpace {
   double reach_;
   Table filling_{}, flux_{}, moment_n_{}, moment_t_{}, friction_n_{}, friction_t_{};
   /// Over the fourth root of the filling, which is nearly linear in the distance; a node at that kink as well.
-  static constexpr int shares = 1024;
+  static constexpr int shares = 2048;
   std::array<Share, shares + 2> share_{};
   float shares_per_root_ = 0;
 };

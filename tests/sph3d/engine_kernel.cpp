@@ -44,15 +44,16 @@ TEST(HalfSpace, MomentsInTwoDimensions) { moments_of_a_half_space<2>(); }
 TEST(HalfSpace, MomentsInThreeDimensions) { moments_of_a_half_space<3>(); }
 
 /// A linear velocity profile over a plane wall, fluid all the way to it: without the cap of the extrapolation the wall's
-/// friction is eta times the shear rate. The cap at three times the particle's own velocity acts where the depth behind the
-/// wall exceeds twice the distance before it and takes one sixth: int_0^(x/3) (x - 3 s) ds = x^2/6 of int_0^x x ds = x^2.
+/// friction is eta times the shear rate. The cap at five times the particle's own velocity acts where the depth behind the
+/// wall exceeds four times the distance before it and takes a tenth: int_0^(x/5) (x - 5 s) ds = x^2/10
+/// of int_0^x x ds = x^2.
 TEST(HalfSpace, FrictionOfALinearProfileInContinuousFluid) {
   const HalfSpace<3> space(Wendland<3>{1.3}, 1e-9);  // tiny dp: its quarter as least distance plays no part
   double stress = 0;
   const double ds = 1e-3;
   for (double s = 0.5 * ds; s < 2.6; s += ds)
     stress += (space.friction_n(s) + 2 * space.friction_t(s)) * s * ds;
-  EXPECT_NEAR(stress, 5.0 / 6.0, 1e-3);
+  EXPECT_NEAR(stress, 0.9, 1e-3);
 }
 
 /// Layers at half a spacing from the wall and on: what a particle fluid really feels.

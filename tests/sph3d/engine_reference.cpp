@@ -191,6 +191,7 @@ void compare_whole_step(const Lumen<D>& lumen, std::size_t least_particles) {
         lane_matrix<D>(p.work.sums[c].moment, lane) - lane_matrix<D>(first_sums[c].moment, lane);
     std::tie(r.B, r.friction) =
         plain_correction<D>(model, p.fluid.clusters[c], r.moment + open, p.work.around[c], lane);
+    r.along = p.fluid.clusters[c].along[lane];
     psi[i] = r.psi;
   }
   reference.corrected_sums();
@@ -237,7 +238,7 @@ void compare_whole_step(const Lumen<D>& lumen, std::size_t least_particles) {
     velocity.add(Vec<D>(p.fluid.velocity(i) - r.v), r.v);
     density.add(p.fluid.psi(i) - r.psi, r.psi - psi[i]);
     if (p.work.duct_of[i] >= 0) continue;  // the shift is another one there
-    const Vec<D> there = moved[i] - zeta_h2 * (r.B * r.gradient + r.G);
+    const Vec<D> there = moved[i] - zeta_h2 * r.imbalance;
     const Vec<D> engine = lane_vector<D>(p.fluid.clusters[i / 8].moved, i % 8) -
                           zeta_h2 * lane_vector<D>(p.work.sums[i / 8].imbalance, i % 8);
     way.add(Vec<D>(there - engine), there);

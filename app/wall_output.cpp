@@ -55,6 +55,7 @@ WallOutput<D>::WallOutput(const std::filesystem::path& folder, const sph3d::Vess
     : folder_(folder),
       period_(period),
       filter_((period > 0.0 ? period : end) / (2.0 * pi * 20.0)),
+      interval_((period > 0.0 ? period : end) / 2000.0),
       sampler_(vessel),
       map_(vessel.model().lumen.surface, sampler_.at_rest(), vessel.model().kernel.h),
       wall_(folder / "wall.pvd"),
@@ -70,6 +71,7 @@ void WallOutput<D>::resume(const sph3d::WallCycle<D>& saved, double time) {
 
 template <int D>
 void WallOutput<D>::follow(const sph3d::Vessel<D>& vessel) {
+  if (!cycle_.stress.empty() && vessel.time() < cycle_.time + interval_) return;
   sampler_.sample(vessel);
   const auto& loads = sampler_.loads();
   const auto& rest = sampler_.at_rest();
@@ -86,6 +88,7 @@ void WallOutput<D>::follow(const sph3d::Vessel<D>& vessel) {
 
 template <int D>
 void WallOutput<D>::write(const sph3d::Vessel<D>& vessel, const std::string& number) {
+  sampler_.sample(vessel);
   const auto& rest = sampler_.at_rest();
   const auto& now = sampler_.points();
   WallAndSurface<D> fields(map_);

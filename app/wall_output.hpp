@@ -23,7 +23,8 @@ class WallOutput {
   /// period, s; 0: the whole run is one cycle, of about `end`, s.
   WallOutput(const std::filesystem::path& folder, const sph3d::Vessel<D>& vessel, double period, double end);
 
-  /// After every step: samples the wall, and writes the cycle that has ended.
+  /// After every step: samples the wall two thousand times a cycle, and writes the cycle
+  /// that has ended.
   void follow(const sph3d::Vessel<D>& vessel);
   /// The fields of now, under this number of five digits.
   void write(const sph3d::Vessel<D>& vessel, const std::string& number);
@@ -37,7 +38,7 @@ class WallOutput {
   void write_cycle(const sph3d::CycleFields<D>& fields);
 
   std::filesystem::path folder_;
-  double period_, filter_;
+  double period_, filter_, interval_;
   sph3d::WallSampler<D> sampler_;
   sph3d::SurfaceMap<D> map_;
   sph3d::WallCycle<D> cycle_;

@@ -31,19 +31,42 @@ class FullAorta : public CaseRun {
     return file;
   }
 
+  /// The aorta where it lies, with rows every 2 ms; run once for both tests.
+  const std::map<std::string, PortSignals>& plain() {
+    static const auto ports = [this] {
+      run("aorta_vmr0024", rows + options(surface_));
+      facts_ = summary();
+      return this->ports();
+    }();
+    return ports;
+  }
+
+  /// Means over 10 ms, the distance of the rows of that case: what is faster is the noise of an arrangement of particles.
+  static Signal slow(const Signal& signal) {
+    constexpr std::size_t five = 5;
+    Signal means;
+    for (std::size_t n = 0; n + five <= signal.time.size(); n += five) {
+      double t = 0, y = 0;
+      for (std::size_t k = n; k < n + five; ++k) t += signal.time[k] / five, y += signal.value[k] / five;
+      means.time.push_back(t), means.value.push_back(y);
+    }
+    return means;
+  }
+
   /// rms of the difference over the swing of the second, in the second cycle: the start rings with the sound of the
   /// fluid at rest that is set in motion. (Both are compared at the same times: nothing is wrapped into a period.)
   static double difference(const Signal& a, const Signal& b) {
-    const Signal first = a.between(0.66, 1.32), second = b.between(0.66, 1.32);
+    const Signal first = slow(a.between(0.66, 1.32)), second = slow(b.between(0.66, 1.32));
     return rms_difference(first, second, 1e9) / (second.max() - second.min());
   }
 
+  static constexpr const char* rows = "--set 'output.every=2 ms' ";
+  static inline nlohmann::json facts_;
   std::filesystem::path surface_, inflow_;
 };
 
 TEST_F(FullAorta, SplitMeansAndMass) {
-  run("aorta_vmr0024", options(surface_));
-  const auto all = ports();
+  const auto& all = plain();
   const std::map<std::string, double> expected{{"RSA", 11.0394e-6},
                                                {"RCCA", 10.6598e-6},
                                                {"LCCA", 10.6598e-6},
@@ -55,18 +78,16 @@ TEST_F(FullAorta, SplitMeansAndMass) {
     const double first = p.between(0, 0.66).mean(), second = p.between(0.66, 1.32).mean();
     EXPECT_NEAR(first, second, 0.02 * second) << name;
   }
-  const auto facts = summary();
-  EXPECT_EQ(facts["escaped_particles"].get<int>(), 0);
-  EXPECT_LE(facts["mass_balance_relative_to_inflow"].get<double>(), 1e-10);
+  EXPECT_EQ(facts_["escaped_particles"].get<int>(), 0);
+  EXPECT_LE(facts_["mass_balance_relative_to_inflow"].get<double>(), 1e-10);
 }
 
 TEST_F(FullAorta, SameWaveformsInMetresTurnedTenMetresAwayAndInsideOut) {
-  run("aorta_vmr0024", options(surface_));
-  const auto plain = ports();
-  run("aorta_vmr0024", "--force --set vessel.length_unit=m " + options(turned()));
+  const auto& first = plain();
+  run("aorta_vmr0024", rows + std::string("--force --set vessel.length_unit=m ") + options(turned()));
   const auto other = ports();
-  ASSERT_EQ(other.size(), plain.size());
-  for (const auto& [name, port] : plain) {
+  ASSERT_EQ(other.size(), first.size());
+  for (const auto& [name, port] : first) {
     const double pressure = difference(other.at(name).pressure, port.pressure),
                  flow = difference(other.at(name).flow_out, port.flow_out);
     RecordProperty(name + "_pressure", std::to_string(pressure));

@@ -55,7 +55,7 @@ WallOutput<D>::WallOutput(const std::filesystem::path& folder, const sph3d::Vess
     : folder_(folder),
       period_(period),
       filter_((period > 0.0 ? period : end) / (2.0 * pi * 20.0)),
-      interval_((period > 0.0 ? period : end) / 2000.0),
+      interval_(filter_ / 4.0),
       sampler_(vessel),
       map_(vessel.model().lumen.surface, sampler_.at_rest(), vessel.model().kernel.h),
       wall_(folder / "wall.pvd"),

@@ -64,10 +64,18 @@ struct TimeCase {
   double final() const { return end ? *end : *period * cycles.value_or(1); }
 };
 
+/// What `ostium run --format svzerod` writes: another program's unknowns in terms of our series.
+struct SvzerodCase {
+  bool all_cycles = false, mean_only = false;
+  std::optional<config::Node> variables;  // UNKNOWN: [unit, terms..]
+  std::optional<config::Node> start;      // UNKNOWN: value of the first row
+};
+
 struct OutputCase {
-  double every = 0;                    // s
+  double every = 0, from = 0;          // s
   std::optional<double> fields_every;  // s
   double checkpoint_every = 0;         // s of wall time
+  SvzerodCase svzerod;
 };
 
 /// Numbers of the methods; a user needs none of them.
@@ -97,6 +105,7 @@ void declare(config::Fields<FluidCase>&);
 void declare(config::Fields<NetworkCase>&);
 void declare(config::Fields<CouplingCase>&);
 void declare(config::Fields<TimeCase>&);
+void declare(config::Fields<SvzerodCase>&);
 void declare(config::Fields<OutputCase>&);
 void declare(config::Fields<NumericsCase>&);
 void declare(config::Fields<Case>&);

@@ -126,10 +126,28 @@ void declare(config::Fields<TimeCase>& f) {
   f.check(check_time);
 }
 
+void declare(config::Fields<SvzerodCase>& f) {
+  f.choice("cycles", &SvzerodCase::all_cycles, {{"last", false}, {"all", true}},
+           "all cycles, or the last one with its times from 0; without `time.period` all")
+      .or_else(false);
+  f.flag("mean_only", &SvzerodCase::mean_only, "one row per name, the mean of its values").or_else(false);
+  f.raw("variables", &SvzerodCase::variables,
+        "names of the rows: `NAME: [unit, series, -1 * series, ..]`, a sum of series of network.csv; without "
+        "it all "
+        "series in SI");
+  f.raw("start", &SvzerodCase::start,
+        "`NAME: value`: the first row holds these values instead, 0 for other names, because svZeroDSolver "
+        "writes the "
+        "start as its file gives it; network.csv has the consistent one");
+}
+
 void declare(config::Fields<OutputCase>& f) {
   f.quantity("every", &OutputCase::every, "s", "interval between two rows of the series")
       .positive()
       .or_else(0.01);
+  f.quantity("from", &OutputCase::from, "s", "the series have no rows before this time")
+      .non_negative()
+      .or_else(0);
   f.quantity("fields_every", &OutputCase::fields_every, "s",
              "interval between two sets of fields for ParaView; 0: none, without it a tenth of the period")
       .non_negative();
@@ -139,6 +157,8 @@ void declare(config::Fields<OutputCase>& f) {
        "when the run is interrupted or its numerics fail")
       .non_negative()
       .or_else(900);
+  f.section("svzerod", &OutputCase::svzerod,
+            "what `ostium run --format svzerod` writes to svzerod.csv, in the layout of svZeroDSolver");
 }
 
 void declare(config::Fields<NumericsCase>& f) {

@@ -20,7 +20,7 @@ namespace {
 void add_run(CLI::App& program, int& code) {
   auto* command = program.add_subcommand("run", "run a case and write its results folder");
   struct Arguments : CaseArguments {
-    std::string output;
+    std::string output, format;
     bool force = false, resume = false, quiet = false;
   };
   auto a = std::make_shared<Arguments>();
@@ -30,6 +30,8 @@ void add_run(CLI::App& program, int& code) {
   command->add_flag("--resume", a->resume, "go on with an interrupted run from its checkpoint")
       ->excludes(force);
   command->add_flag("-q,--quiet", a->quiet, "no progress line");
+  command->add_option("--format", a->format, "svzerod: also write svzerod.csv in the layout of svZeroDSolver")
+      ->check(CLI::IsMember({"svzerod"}));
   command->callback([a, &code] {
     const Case study = a->read();
     const std::string name = case_name(a->file);
@@ -40,7 +42,10 @@ void add_run(CLI::App& program, int& code) {
                                                           : std::filesystem::path(a->output),
                                         earlier},
                              .quiet = a->quiet,
-                             .threads = a->thread_count()};
+                             .threads = a->thread_count(),
+                             .svzerod = a->format == "svzerod"};
+    if (study.vessel && options.svzerod)
+      user_error("--format svzerod: that layout is for networks alone, this case has a vessel; leave it out");
     catch_interrupts();
     code = study.vessel ? run_coupled(study, options) : run_study(study, options);
   });
@@ -86,6 +91,7 @@ int run_program(int argc, char** argv) {
   add_check(program);
   add_preview(program);
   add_geometry(program);
+  add_import(program);
   add_schema(program);
   add_reference(program);
   try {

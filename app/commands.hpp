@@ -1,4 +1,4 @@
-/// The commands that work on geometry: `ostium preview` and `ostium geometry`.
+/// Commands with a file of their own: `ostium preview`, `ostium geometry`, `ostium import`.
 #pragma once
 
 namespace CLI {
@@ -9,5 +9,6 @@ namespace ostium::app {
 
 void add_preview(CLI::App& program);
 void add_geometry(CLI::App& program);
+void add_import(CLI::App& program);
 
 }  // namespace ostium::app

@@ -12,10 +12,12 @@ struct RunOptions {
   ResultsFolder folder;
   bool quiet = false;
   int threads = 0;  // 0: as many as the machine has
+  bool svzerod = false;  // also writes svzerod.csv
 
   /// The command that goes on with this run.
   std::string resume_command() const {
-    return "ostium run " + arguments + " -o " + folder.path().string() + " --resume";
+    return "ostium run " + arguments + " -o " + folder.path().string() + (svzerod ? " --format svzerod" : "") +
+           " --resume";
   }
 };
 

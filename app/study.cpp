@@ -6,6 +6,7 @@
 #include "app/effective.hpp"
 #include "app/interrupt.hpp"
 #include "app/results/recorder.hpp"
+#include "app/results/svzerod_csv.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/progress.hpp"
@@ -79,6 +80,7 @@ class StudySession {
 
   /// Nothing can be wrong with the input any more.
   void begin(const std::vector<std::string>& names) {
+    if (options_.svzerod) svzerod_.emplace(study_, names);
     recorder_.emplace(study_, options_.case_name, options_.folder, effective_case(study_, model_),
                       Recorder::Names{{}, names}, saved_ ? std::optional(saved_->recorded) : std::nullopt);
     log::info("{}: {} blocks, {} series, to {:.4g} s", options_.case_name, model_.entries.size(),
@@ -93,6 +95,7 @@ class StudySession {
 
   int finish() {
     recorder_->finish(Status::finished, {{"rows", rows_}});
+    if (svzerod_) recorder_->flush(), svzerod_->write(options_.folder);
     std::error_code ignored;
     std::filesystem::remove(options_.folder.checkpoint(), ignored);  // nothing to go on with
     log::info("{}", recorder_->table());
@@ -115,6 +118,7 @@ class StudySession {
   double end_;
   std::optional<SavedStudy> saved_;
   std::optional<Recorder> recorder_;
+  std::optional<SvzerodCsv> svzerod_;
   std::int64_t rows_ = 0;
   bool stopped_ = false;
 };

@@ -114,13 +114,14 @@ void Recorder::row(double time, std::span<const PortRow> ports, std::span<const 
     tracked_[i++].statistics.add(time, port.flow_out);
   }
   for (double value : series) tracked_[i++].statistics.add(time, value);
-  if (!rows_.due(time)) return;
+  if (time < study_.output.from * (1 - 1e-9) || !rows_.due(time)) return;
   if (ports_) ports_->rows(time, ports);
   network_->row(time, series);
 }
 
 void Recorder::balance(const BalanceRow& row) {
-  if (balance_ && balance_rows_.due(row.time)) balance_->row(row);
+  if (balance_ && row.time >= study_.output.from * (1 - 1e-9) && balance_rows_.due(row.time))
+    balance_->row(row);
 }
 
 void Recorder::flush() {

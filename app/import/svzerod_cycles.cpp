@@ -1,0 +1,91 @@
+#include "app/import/svzerod_cycles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.hpp"
+
+namespace ostium::app::svzerod {
+namespace {
+
+/// Pressure and flow at one end of each vessel that has a boundary condition: at its outlet where it has two.
+std::vector<Expression> caps(const Source& source, const config::Tree& variables) {
+  std::vector<Expression> all;
+  const auto add = [&](const std::string& connection) {
+    for (const char* kind : {"flow:", "pressure:"}) {
+      const config::Tree* terms = variables.find(kind + connection);
+      std::vector<std::string> texts;
+      for (std::size_t i = 1; i < terms->items.size(); ++i) texts.push_back(terms->items[i]->text);
+      all.push_back(Expression::parse(texts));
+    }
+  };
+  for (const auto& part : source.parts) {
+    if (part.kind != Kind::vessel) continue;
+    const auto ends = part.node.find("boundary_conditions");
+    if (ends && ends->find("outlet"))
+      add(source.connections[part.out[0]].name);
+    else if (ends && ends->find("inlet"))
+      add(source.connections[part.in[0]].name);
+  }
+  return all;
+}
+
+/// Runs one cycle; the means over its samples, both ends among them.
+std::vector<double> means(network::Network& network, const Source& source,
+                          const std::vector<Expression>& wanted) {
+  const auto& names = network.series_names();
+  std::vector<double> values(names.size()), sums(wanted.size(), 0.0);
+  const auto sample = [&] {
+    network.series(values);
+    const auto value = [&](const std::string& s) {
+      return values[std::find(names.begin(), names.end(), s) - names.begin()];
+    };
+    for (std::size_t k = 0; k < wanted.size(); ++k) sums[k] += wanted[k].value(value);
+  };
+  sample();
+  for (int i = 1; i < source.run.points; ++i) {
+    network.advance(source.period / (source.run.points - 1), {}, {});
+    sample();
+  }
+  for (double& s : sums) s /= source.run.points;
+  return sums;
+}
+
+bool settled(const std::vector<double>& before, const std::vector<double>& now, double error) {
+  for (std::size_t k = 0; k < now.size(); ++k)
+    if (std::abs(now[k] - before[k]) > error * std::abs(before[k])) return false;
+  return true;
+}
+
+int run_until_settled(const Source& source, const Circuit& circuit, network::Network& network) {
+  const auto wanted = caps(source, circuit.variables());
+  constexpr int most = 10000;
+  std::vector<double> before, now = means(network, source, wanted);
+  for (int cycle = 2; cycle <= most; ++cycle) {
+    before = std::move(now);
+    now = means(network, source, wanted);
+    if (cycle >= source.run.cycles && settled(before, now, *source.run.cycle_error)) return cycle;
+  }
+  source.root.at("simulation_parameters")
+      .at("use_cycle_to_cycle_error")
+      .error(
+          "pressures and flows still change by more than {} from cycle to cycle after {} cycles; set it to "
+          "false "
+          "and give \"number_of_cardiac_cycles\"",
+          shortest(*source.run.cycle_error), most);
+}
+
+}  // namespace
+
+int cycles_of(const Source& source, const Circuit& circuit, network::Network network) {
+  const Run& run = source.run;
+  if (!run.cycle_error) return run.cycles;
+  double slowest = 0;
+  for (const auto& part : source.parts)
+    if (part.type == "RCR")
+      slowest = std::max(slowest, part.values.at("Rd").number() * part.values.at("C").number());
+  if (slowest == 0) return run_until_settled(source, circuit, network);
+  return std::max(1, static_cast<int>(std::ceil(-slowest / source.period * std::log(*run.cycle_error))));
+}
+
+}  // namespace ostium::app::svzerod

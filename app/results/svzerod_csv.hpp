@@ -1,0 +1,36 @@
+/// The series of a run in the layout of svZeroDSolver: svzerod.csv with `name,time,y`, grouped by name.
+///
+///   name   of an unknown, as `output.svzerod.variables` of the case says, else of a series
+///   time   s; of the last cycle from 0, or of all cycles; empty with mean_only
+///   y      in the unit the case gives; in the first row the given start, where the case has one
+///
+/// Made from network.csv when the run is over, so that resumed runs are whole.
+#pragma once
+#include "app/case.hpp"
+#include "app/import/expression.hpp"
+#include "app/results/folder.hpp"
+
+namespace ostium::app {
+
+class SvzerodCsv {
+ public:
+  /// Throws UserError with position where the case names a series the network does not have.
+  SvzerodCsv(const Case& study, const std::vector<std::string>& series);
+  void write(const ResultsFolder& folder) const;
+
+ private:
+  struct Variable {
+    std::string name;
+    double unit = 1;  // SI
+    Expression value;
+    std::optional<double> start;  // in the unit
+  };
+  Variable read(const std::string& name, const config::Node& node) const;
+
+  std::vector<std::string> series_;
+  std::vector<Variable> variables_;
+  double begin_ = 0, shift_ = 0;  // s: first row, time written as 0
+  bool mean_only_;
+};
+
+}  // namespace ostium::app

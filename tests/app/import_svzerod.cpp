@@ -113,7 +113,7 @@ TEST_F(ImportSvzerod, Check) {
   write("model.json", replaced(model, "11}", "11, \"rho_infty\": 0.5}"));
   const Outcome outcome = ostium("import svzerod model.json --check");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_THAT(outcome.text, HasSubstr("2 blocks"));
+  EXPECT_THAT(outcome.text, HasSubstr("3 blocks"));
   EXPECT_THAT(outcome.text, HasSubstr("not carried over: rho_infty"));
   EXPECT_FALSE(exists("model.yaml"));
 }
@@ -184,7 +184,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"\"outlet\": \"OUT\"", "\"outlet\": \"OUTT\"",
                 "vessels[0] (aorta).boundary_conditions.outlet: there is no block \"OUTT\"; did you mean "
                 "\"OUT\"?"},
-        Refusal{", \"outlet\": \"OUT\"", "", "\"OUT\" is joined to 0 blocks; it has one end"},
+        Refusal{", \"outlet\": \"OUT\"", "",
+                "nothing is joined to the outlet of \"aorta\"; it needs exactly one block there"},
         Refusal{"\"outlet\": \"OUT\"", "\"outlets\": \"OUT\"",
                 "outlets: there is no such key; did you mean \"outlet\"?"},
         Refusal{"\"inlet\": \"IN\", \"outlet\": \"OUT\"", "\"inlet\": \"OUT\", \"outlet\": \"IN\"",

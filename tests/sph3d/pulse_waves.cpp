@@ -1,9 +1,10 @@
-// Pulses in an elastic tube: how fast they run, and what a matched opening sends back.
+// Waves in an elastic tube: how fast pulses run, what a matched opening sends back, and swinging flow of a viscous liquid.
 //
 // Poisson's ratio is 0: pressure then pulls at the wall around the tube only. Otherwise a second wave, of the wall along itself,
 // would run ahead of the pulse.
 #include <gtest/gtest.h>
 
+#include <complex>
 #include <cstdio>
 
 #include "tube_walls.hpp"
@@ -20,9 +21,9 @@ struct Section {
   std::vector<double> pressure = {}, speed = {};  // means over a slab, each step
 };
 
-/// A pulse of flow enters at x = 0; the other end answers with the impedance of the waves and, beside it, the compliance that
-/// its clamp takes from the tube.
-struct PulseTube {
+/// A flow enters at x = 0; the other end answers with the impedance of the waves and, beside it, the compliance that its clamp
+/// takes from the tube.
+struct ElasticTube {
   const double sound;
   TubeWall wall{radius, length, dp, thickness};
   Vessel<3> vessel;
@@ -44,16 +45,19 @@ struct PulseTube {
   }
   double area() const { return vessel.model().ducts[1].opening().area; }
 
-  explicit PulseTube(double c)
+  ElasticTube(double c, double viscosity, bool tethered)
       : sound(c),
         vessel(tube(radius, length, 64, 96),
                {.dp = dp,
                 .density = rho,
-                .viscosity = 1e-8,
+                .viscosity = viscosity,
                 .sound_speed = c,
                 .reference_speed = 0.2,
                 .density_relaxation = 0.2},
                {{.flow_driven = true, .profile = Profile::plug}, {}}) {
+    if (tethered)
+      for (auto& support : wall.cloud.support)
+        if (support == Support::free) support = Support::roller;
     const ShellOptions options{
         .spacing = dp, .density = rho, .material = SaintVenantKirchhoff({.E = E, .nu = 0})};
     vessel.set_wall(std::make_unique<DeformableWall<3>>(ShellModel<3>(wall.cloud, options), wall.contact,
@@ -82,13 +86,14 @@ struct PulseTube {
     }
   }
 
-  void run(double end) {
+  /// `speed` and its rate at the entrance, of time.
+  template <class Speed, class Rate>
+  void run(double end, Speed speed, Rate rate) {
     while (vessel.time() < end) {
-      const double t = vessel.time(), x = (t - 2.5 * pulse_time) / pulse_time,
-                   flow = peak_speed * area() * std::exp(-x * x);
+      const double t = vessel.time();
       drives[0].since = t;
-      drives[0].flow_in = flow;
-      drives[0].flow_slope = -2 * x / pulse_time * flow;
+      drives[0].flow_in = speed(t) * area();
+      drives[0].flow_slope = rate(t) * area();
       const double before = vessel.volume_out(1), filter_time = 0.01;
       vessel.advance(end - t, drives, filter_time);
       const double dt = vessel.time() - t;
@@ -111,9 +116,11 @@ struct PulseTube {
 };
 
 void runs_at_the_right_speed(double sound) {
-  PulseTube tube(sound);
+  ElasticTube tube(sound, 1e-8, false);
   const double expected = tube.wave_speed();
-  tube.run(5 * pulse_time + length / expected + 0.01);
+  const auto speed = [](double t) { return peak_speed * std::exp(-std::pow(t / pulse_time - 2.5, 2)); };
+  const auto rate = [&](double t) { return -2 * (t / pulse_time - 2.5) / pulse_time * speed(t); };
+  tube.run(5 * pulse_time + length / expected + 0.01, speed, rate);
   const auto& s = tube.sections;
   const double first = (s[1].at - s[0].at) / (tube.arrival(s[1]) - tube.arrival(s[0])),
                both = (s[2].at - s[0].at) / (tube.arrival(s[2]) - tube.arrival(s[0]));
@@ -127,7 +134,7 @@ void runs_at_the_right_speed(double sound) {
   std::printf(
       "c %.0f, c_MK %.3f, both %.3f m/s: measured %.3f (first half %.3f), %.4f of it; backward %.4f of %.1f "
       "Pa\n",
-      sound, PulseTube::moens_korteweg(), expected, both, first, both / expected, backward / forward,
+      sound, ElasticTube::moens_korteweg(), expected, both, first, both / expected, backward / forward,
       forward);
   EXPECT_NEAR(both, expected, 0.02 * expected);
   EXPECT_LT(backward, 0.03 * forward + 1e-5 * rho * sound * sound);  // the restlessness of the fluid
@@ -135,6 +142,62 @@ void runs_at_the_right_speed(double sound) {
 }
 TEST(FullPulseWaves, MoensKortewegAtThreeTimesItsSpeed) { runs_at_the_right_speed(15); }
 TEST(FullPulseWaves, MoensKortewegAtFiveTimesItsSpeed) { runs_at_the_right_speed(25); }
+
+using Complex = std::complex<double>;
+
+/// J1(z) / J0(z), by their series: |z| < 10.
+Complex bessel_ratio(Complex z) {
+  Complex j0 = 0, j1 = 0, term = 1;
+  for (int k = 0; k < 60; ++k) {
+    j0 += term, j1 += term * z / (2.0 * (k + 1));
+    term *= -z * z / (4.0 * (k + 1) * (k + 1));
+  }
+  return j1 / j0;
+}
+
+/// First harmonic of what was sampled within whole periods at the end.
+Complex harmonic(const std::vector<double>& time, const std::vector<double>& value, double omega,
+                 int periods) {
+  const double start = time.back() - periods * 2 * pi / omega;
+  Complex sum = 0, mean = 0;
+  for (const bool second : {false, true}) {
+    for (std::size_t n = 1; n < time.size(); ++n) {
+      const double t = 0.5 * (time[n] + time[n - 1]), dt = time[n] - time[n - 1];
+      if (t < start) continue;
+      const double y = 0.5 * (value[n] + value[n - 1]);
+      if (second)
+        sum += (y - mean) * std::exp(Complex(0, -omega * t)) * dt * omega / (pi * periods);
+      else
+        mean += y * dt * omega / (2 * pi * periods);
+    }
+  }
+  return sum;
+}
+
+/// Womersley (1955) in a tube whose wall moves outward only: (k c / omega)^2 = 1 / (1 - F), F = 2 J1(z) / (z J0(z)), z = i^(3/2)
+/// alpha. Whatever comes back from the ends, p1 + p3 = 2 p2 cosh(i k d) of three sections d apart.
+TEST(FullWomersley, PhaseSpeedInAnElasticTube) {
+  const double omega = 2 * pi * 12, alpha = 4, viscosity = radius * radius * omega / (alpha * alpha),
+               ramp = 0.08;
+  ElasticTube tube(15, viscosity, true);
+  const auto rise = [&](double t) { return t < ramp ? 0.5 * (1 - std::cos(pi * t / ramp)) : 1.0; };
+  const auto speed = [&](double t) { return peak_speed * rise(t) * std::sin(omega * t); };
+  const auto rate = [&](double t) { return (speed(t + 1e-6) - speed(t - 1e-6)) / 2e-6; };
+  tube.run(0.34, speed, rate);
+  Complex p[3];
+  for (int k = 0; k < 3; ++k) p[k] = harmonic(tube.time, tube.sections[k].pressure, omega, 2);
+  const double d = tube.sections[1].at - tube.sections[0].at;
+  const Complex k = std::acosh((p[0] + p[2]) / (2.0 * p[1])) / Complex(0, d);
+  const Complex z = std::pow(Complex(0, 1), 1.5) * alpha, F = 2.0 * bessel_ratio(z) / z;
+  const Complex exact = omega / tube.wave_speed() / std::sqrt(1.0 - F);
+  const double sign = k.real() < 0 ? -1 : 1, speed_ratio = exact.real() / (sign * k.real());
+  std::printf(
+      "phase speed %.3f m/s, %.4f of the exact one; attenuation %.3f /m, exact %.3f; |p| %.1f %.1f %.1f Pa\n",
+      omega / (sign * k.real()), speed_ratio, -sign * k.imag(), -exact.imag(), std::abs(p[0]), std::abs(p[1]),
+      std::abs(p[2]));
+  EXPECT_NEAR(speed_ratio, 1, 0.03);
+  EXPECT_NEAR(sign * k.imag() / exact.imag(), 1, 0.1);
+}
 
 }  // namespace
 }  // namespace ostium::sph3d

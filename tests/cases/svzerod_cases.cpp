@@ -35,15 +35,22 @@ class SvzerodCases : public SvzerodTest {
     if (!std::filesystem::exists(data)) GTEST_SKIP() << "needs the reference data at " << data;
   }
 
-  static Worst against_refined(const std::string& name, const SvzerodRows& rows, const json& skipped) {
-    const json reference = load("converged/" + name + ".json");
+  /// Where the last cycle begins. The reference's own last time does not tell: its grid may stop short of the end. Its
+  /// period is rounded, so it only counts the cycles.
+  static double last_cycle(const SvzerodSeries& series, double period) {
+    const double end = series.time.back();
+    return end - end / std::round(end / period);
+  }
+
+  static Worst against_refined(const std::string& name, const SvzerodRows& rows, const json& entry) {
+    const json reference = load("converged/" + name + ".json"), &skipped = entry.at("not_converged_series");
     const auto times = reference.at("time").get<std::vector<double>>();
     Worst worst;
     for (const auto& [series, values] : reference.at("y").items()) {
       if (std::find(skipped.begin(), skipped.end(), series) != skipped.end()) continue;
       if (!rows.contains(series)) return {INFINITY, series + " is missing"};
       const auto& ours = rows.at(series);
-      const double last = ours.time.back() - times.back();  // all cycles: the last one
+      const double last = last_cycle(ours, entry.at("period"));
       double square = 0, size = 0;
       for (std::size_t k = 0; k < times.size(); ++k) {
         const double v = values[k];
@@ -97,8 +104,8 @@ class SvzerodCases : public SvzerodTest {
     }
     const bool refined = entry.contains("converged");
     const double bar = refined ? entry["converged"]["l2_tolerance"].get<double>() : 1e-4;
-    const Worst worst = refined ? against_refined(name, rows, entry["converged"]["not_converged_series"])
-                                : against_stored(name, rows);
+    const Worst worst =
+        refined ? against_refined(name, rows, entry["converged"]) : against_stored(name, rows);
     const bool good = worst.error < bar;
     fmt::print("{:<52} {:<9} {:.1e} of {:.1e}  {}\n", name, refined ? "refined" : "stored", worst.error, bar,
                worst.series);

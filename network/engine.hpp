@@ -3,7 +3,8 @@
 ///   exact   x(t+h) = e^{Ah} x(t) + int_0^h e^{A(h-s)} g(t+s) ds, linear networks only;
 ///           g a cubic through four samples, the interval halved until two more samples agree
 ///   ida     SUNDIALS IDA: variable-order BDF, sparse direct solver, exact Jacobian; where the guard of a switch
-///           passes zero it stops, throws the switch, finds consistent values and starts anew
+///           passes zero it stops, throws the switch, finds consistent values and starts anew; the same where its
+///           Newton iteration fails after some steps
 ///
 /// Source: Moler & van Loan, SIAM Rev. 45 (2003) 3; van Loan, IEEE TAC 23 (1978) 395; Hindmarsh et al., ACM
 /// TOMS 31 (2005) 363.

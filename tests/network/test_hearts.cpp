@@ -138,6 +138,32 @@ TEST(Hearts, SmoothValvesTendToSwitches) {
   EXPECT_LT(fine, 0.01 * sharp);
 }
 
+/// Behind an inertance, which gives the flow, a steep valve is a switch: L dq/dt + R q = P sin(w t) from the rise of P on,
+/// until the flow is spent, then the leak. The width of the tanh goes with 1/k.
+TEST(Hearts, SteepSmoothValvesBehindAnInertanceSwitch) {
+  const double w = 2 * pi, P = 5000, R = 7e5, L = 4e4, Z2 = R * R + w * w * L * L;
+  const auto open = [&](double t) {
+    return P / Z2 * (R * std::sin(w * t) - w * L * std::cos(w * t) + w * L * std::exp(-R / L * t));
+  };
+  double a = 0.4, b = 0.9;  // the zero of the flow, by bisection
+  for (int i = 0; i < 100; ++i) (open(0.5 * (a + b)) > 0 ? a : b) = 0.5 * (a + b);
+  for (const std::string k : {"1", "10", "75", "1000", "10000"}) {
+    const double bar = (1e-6 + 1e-4 / std::stod(k)) * P / R;
+    Network n(
+        model("s: {type: pressure_source, to: A, pressure: {fourier: {mean: 0, sin: [5000]}, unit: Pa, "
+              "period: 1 s}}\n"
+              "l: {type: inductor, from: A, to: M, L: 4e4 Pa.s2/m3}\n"
+              "v: {type: smooth_valve, from: M, ground: 0 Pa, Rmin: 7e5 Pa.s/m3, Rmax: 1.3e11 Pa.s/m3, k: " +
+              k + " 1/Pa}\n"));
+    for (int i = 1; i <= 100; ++i) {
+      run_to(n, 0.0337 * i);
+      const double t = n.time() - std::floor(n.time());
+      EXPECT_NEAR(series(n, "q:v_m3_s"), t < a ? open(t) : P / 1.3e11 * std::sin(w * t), bar)
+          << k << " at " << n.time();
+    }
+  }
+}
+
 TEST(Hearts, CoronaryAtSteadyState) {
   Network n(
       model("s: {type: pressure_source, to: A, pressure: 100 mmHg}\n"

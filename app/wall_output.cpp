@@ -71,7 +71,8 @@ void WallOutput<D>::resume(const sph3d::WallCycle<D>& saved, double time) {
 
 template <int D>
 void WallOutput<D>::follow(const sph3d::Vessel<D>& vessel) {
-  if (!cycle_.stress.empty() && vessel.time() < cycle_.time + interval_) return;
+  const double t = vessel.time();
+  if (!cycle_.stress.empty() && t < cycle_.time + interval_ && !sph3d::ends(cycle_, t, period_)) return;
   sampler_.sample(vessel);
   const auto& loads = sampler_.loads();
   const auto& rest = sampler_.at_rest();

@@ -23,8 +23,8 @@ class WallOutput {
   /// period, s; 0: the whole run is one cycle, of about `end`, s.
   WallOutput(const std::filesystem::path& folder, const sph3d::Vessel<D>& vessel, double period, double end);
 
-  /// After every step: samples the wall four times in the time of its filter, and writes the cycle
-  /// that has ended.
+  /// After every step: samples the wall four times in the time of its filter and where a cycle ends, and writes
+  /// that cycle.
   void follow(const sph3d::Vessel<D>& vessel);
   /// The fields of now, under this number of five digits.
   void write(const sph3d::Vessel<D>& vessel, const std::string& number);

@@ -60,16 +60,25 @@ void add_piece(WallCycle<D>& cycle, const std::vector<Vec<D>>& stress, const std
 
 }  // namespace
 
+namespace {
+std::int64_t number_at(double time, double period) {
+  return period > 0.0 ? static_cast<std::int64_t>(std::floor(time / period + 1e-9)) : 0;
+}
+}  // namespace
+
+template <int D>
+bool ends(const WallCycle<D>& cycle, double time, double period) {
+  return !cycle.stress.empty() && number_at(time, period) != cycle.number;
+}
+
 template <int D>
 CycleFields<D> take(WallCycle<D>& cycle, double time, const std::vector<Vec<D>>& sampled,
                     const std::vector<double>& pressure, double period, double filter) {
   CycleFields<D> ended;
   ended.number = -1;
-  const auto number_at = [&](double t) {
-    return period > 0.0 ? static_cast<std::int64_t>(std::floor(t / period + 1e-9)) : 0;
-  };
   if (cycle.stress.empty()) {
-    cycle.stress = sampled, cycle.pressure = pressure, cycle.time = time, cycle.number = number_at(time);
+    cycle.stress = sampled, cycle.pressure = pressure, cycle.time = time;
+    cycle.number = number_at(time, period);
     begin_sums(cycle, sampled.size());
     return ended;
   }
@@ -81,12 +90,12 @@ CycleFields<D> take(WallCycle<D>& cycle, double time, const std::vector<Vec<D>>&
   for (std::size_t a = 0; a < sampled.size(); ++a)
     stress[a] = cycle.stress[a] + share * (sampled[a] - cycle.stress[a]);
   double done = 0;
-  if (const auto number = number_at(time); number != cycle.number) {
+  if (ends(cycle, time, period)) {
     done = std::min(1.0, (static_cast<double>(cycle.number + 1) * period - cycle.time) / dt);
     add_piece(cycle, stress, pressure, dt, 0.0, done);
     ended = fields_of(cycle);
     begin_sums(cycle, sampled.size());
-    cycle.number = number;
+    cycle.number = number_at(time, period);
   }
   if (done < 1.0) add_piece(cycle, stress, pressure, dt, done, 1.0);
   cycle.stress = std::move(stress), cycle.pressure = pressure, cycle.time = time;
@@ -108,6 +117,7 @@ void archive(Archive& a, WallCycle<D>& cycle) {
 #define OSTIUM_INSTANTIATE(D)                                                     \
   template struct CycleFields<D>;                                                 \
   template CycleFields<D> fields_of(const WallCycle<D>&);                         \
+  template bool ends(const WallCycle<D>&, double, double);                        \
   template CycleFields<D> take(WallCycle<D>&, double, const std::vector<Vec<D>>&, \
                                const std::vector<double>&, double, double);       \
   template void archive(Archive&, WallCycle<D>&);

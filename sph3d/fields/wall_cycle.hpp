@@ -54,6 +54,10 @@ struct CycleFields {
 template <int D>
 CycleFields<D> fields_of(const WallCycle<D>& cycle);
 
+/// Whether a sample at `time` would end the running cycle; never with period 0.
+template <int D>
+bool ends(const WallCycle<D>& cycle, double time, double period);
+
 /// Takes a sample at `time`; the first one only begins. Where a cycle has ended it returns that cycle's fields, else none
 /// (`number` is -1). A sample interval may not be longer than a period; period 0: one cycle without end. `filter`: theta, s.
 template <int D>

@@ -178,6 +178,19 @@ TEST(WallCycle, SteadyStressDoesNotOscillate) {
   }
 }
 
+/// A run that stops with its last cycle has a sample there, however soon after the one before.
+TEST(WallCycle, EndsWithItsPeriod) {
+  WallCycle<2> cycle;
+  const std::vector<Vec2> stress{{1, 0}};
+  EXPECT_FALSE(ends(cycle, 1.0, 0.5));  // nothing has begun
+  take(cycle, 0.0, stress, {0.0}, 0.5, 0.01);
+  take(cycle, 0.499, stress, {0.0}, 0.5, 0.01);
+  EXPECT_FALSE(ends(cycle, 0.4995, 0.5));
+  EXPECT_FALSE(ends(cycle, 0.5, 0.0));
+  EXPECT_TRUE(ends(cycle, 0.5, 0.5));
+  EXPECT_EQ(take(cycle, 0.5, stress, {0.0}, 0.5, 0.01).number, 0);
+}
+
 TEST(WallCycle, SwingingStressHasHalf) {
   const double period = 0.8, omega = 2 * pi / period;
   const auto cycles = cycles_of([&](double t) { return Vec2(0, 2 * std::sin(omega * t + 0.4)); }, period, 2);

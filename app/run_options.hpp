@@ -11,13 +11,13 @@ struct RunOptions {
   std::string case_name;
   ResultsFolder folder;
   bool quiet = false;
-  int threads = 0;  // 0: as many as the machine has
+  int threads = 0;       // 0: as many as the machine has
   bool svzerod = false;  // also writes svzerod.csv
 
   /// The command that goes on with this run.
   std::string resume_command() const {
-    return "ostium run " + arguments + " -o " + folder.path().string() + (svzerod ? " --format svzerod" : "") +
-           " --resume";
+    return "ostium run " + arguments + " -o " + folder.path().string() +
+           (svzerod ? " --format svzerod" : "") + " --resume";
   }
 };
 

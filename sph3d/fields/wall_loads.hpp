@@ -1,4 +1,4 @@
-/// What the blood does to the wall, sampled after every advection step: pressure and wall shear stress at the wall points.
+/// What the blood does to the wall, sampled after an advection step: pressure and wall shear stress at the wall points.
 ///
 ///   F_b   = sum_(i at b) m f_i (v_i - v_wall)           what friction has taken from the particles next to b
 ///   tau_a = (I - n n^T) sum_b w_ab F_b / A_a            w_ab smooths over the kernel and keeps the sum of the forces

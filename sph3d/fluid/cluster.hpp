@@ -17,7 +17,7 @@
 ///   B        correction matrix, upper triangle row by row                              -
 ///   k0       sum_j W' V_j                                                              1/m
 ///   wall     grad S of the wall                                                        1/m
-///   along    m/(1 - m), m the share of gradients along the wall that the particle does not see in it    -
+///   along    m/(1 - m), m the share of gradients along the wall that lies in it, at most 1; 0 near outer faces    -
 ///   moved    displacement since the positions were frozen                              m
 ///   friction rate at which the wall slows the particle, taken implicitly                 1/s
 ///   source   rate at which psi returns to the number density                             1/s

@@ -22,7 +22,7 @@ struct Particle {
   Vec<D> x = Vec<D>::Zero(), v = x, diss = x, prior = x, gradient = x, G = x, imbalance = x, wall = x,
          viscous = x;
   Mat<D> B = Mat<D>::Zero(), moment = B;
-  double psi = 0, rate = 0, density = 0, k0 = 0, friction = 0, along = 0;
+  double psi = 0, rate = 0, density = 0, k0 = 0, friction = 0, along = 0, wall_density = 1;
 
   /// With what the wall does not show of changes along it.
   Vec<D> completed(const Vec<D>& u) const {
@@ -34,14 +34,14 @@ struct Particle {
 
 template <int D>
 struct Fluid {
-  double c, nu, h, limiter;
+  double c, nu, h, limiter, rest_volume;
   std::vector<Particle<D>> particles;
   std::vector<Neighbourhood<D>> neighbours;
 
   /// The particles of a state whose advection step has been prepared; lists from cells of one reach.
   Fluid(const Model<D>& model, const FluidState<D>& state) {
     c = model.options.sound_speed, nu = model.options.viscosity, h = model.kernel.h,
-    limiter = model.options.limiter;
+    limiter = model.options.limiter, rest_volume = model.rest_volume;
     for (std::size_t i = 0; i < state.places(); ++i) {
       const auto& own = state.clusters[i / 8];
       const std::size_t lane = i % 8;
@@ -81,7 +81,8 @@ struct Fluid {
     for (std::size_t i = 0; i < particles.size(); ++i) {
       Particle<D>& p = particles[i];
       const Neighbourhood<D>& n = neighbours[i];
-      p.G = 2.0 * p.B * p.wall, p.viscous.setZero();
+      p.wall_density = density_ratio(p);  // frozen with B
+      p.G = 2.0 * p.wall_density * p.B * p.wall, p.viscous.setZero();
       Vec<D> gradient = Vec<D>::Zero();
       for (std::size_t k = 0; k < n.j.size(); ++k) {
         const Particle<D>& q = particles[n.j[k]];
@@ -101,12 +102,12 @@ struct Fluid {
     for (std::size_t i = 0; i < particles.size(); ++i) {
       Particle<D>& p = particles[i];
       const Neighbourhood<D>& n = neighbours[i];
-      const double P = c * c * p.psi;
-      Vec<D> force = 2.0 * P * p.B * p.wall, gradient = Vec<D>::Zero();
+      const double P = c * c * p.psi / density_ratio(p);
+      Vec<D> force = 2.0 * P * p.wall_density * p.B * p.wall, gradient = Vec<D>::Zero();
       double jump = 0;
       for (std::size_t k = 0; k < n.j.size(); ++k) {
         const Particle<D>& q = particles[n.j[k]];
-        const double Q = c * c * q.psi;
+        const double Q = c * c * q.psi / density_ratio(q);
         force += (P * q.B + Q * p.B) * n.e[k] * n.dW_V[k];
         gradient += (Q - P) * n.e[k] * n.dW_V[k];
         jump += (P - Q) * n.dW_V[k];
@@ -125,7 +126,7 @@ struct Fluid {
     for (std::size_t i = 0; i < particles.size(); ++i) {
       Particle<D>& p = particles[i];
       const Neighbourhood<D>& n = neighbours[i];
-      double divergence = 2.0 * p.v.dot(p.wall);
+      double divergence = 0, into = 2.0 * p.v.dot(p.wall);
       p.diss.setZero();
       for (std::size_t k = 0; k < n.j.size(); ++k) {
         const double apart = (p.v - particles[n.j[k]].v).dot(n.e[k]), u = std::max(-apart, 0.0);
@@ -137,13 +138,15 @@ struct Fluid {
         const double u = 2.0 * std::max(p.v.dot(p.wall), 0.0) / size;
         p.diss -= std::min(limiter * u, c) * u * p.wall;
       }
-      p.rate += (1.0 + p.psi) * divergence;
+      p.rate += divergence / rest_volume + (1.0 + p.psi) * into;
       next[i] = p.psi + weight * dt * p.rate;
     }
     for (std::size_t i = 0; i < particles.size(); ++i) particles[i].psi = next[i];
   }
 
  private:
+  double density_ratio(const Particle<D>& p) const { return (1.0 + p.psi) * rest_volume; }
+
   void find_neighbours(const Model<D>& model, const FluidState<D>& state) {
     const double reach = model.reach(), V = model.particle_volume;
     self_ = model.kernel.value(0.0) * V;

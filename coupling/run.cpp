@@ -202,10 +202,7 @@ PortReading CoupledRun<D>::port(int k) const {
 
 template <int D>
 double CoupledRun<D>::volume_inside() const {
-  const auto& state = vessel_.state();
-  double volume = static_cast<double>(state.fluid.count()) * state.fluid.volume;
-  for (const auto& port : state.ports) volume -= port.counted - port.deleted + port.inserted;
-  return volume;
+  return vessel_.content();
 }
 
 template class CoupledRun<2>;

@@ -29,10 +29,10 @@ double undisturbed_density(const Model<D>& model, FluidState<D>& fluid, Workspac
   std::size_t count = 0;
   for (std::size_t i = 0; i < fluid.places(); ++i) {
     if (!fluid.filled[i] || work.duct_of[i] >= 0) continue;
-    sum += work.sums[i / 8].density[i % 8] / (1.0 + psi) + work.around[i / 8].filling[i % 8];
+    sum += work.sums[i / 8].density[i % 8] + work.around[i / 8].filling[i % 8];
     ++count;
   }
-  return count > 0 ? sum / static_cast<double>(count) : model.number_density;
+  return count > 0 ? sum / (static_cast<double>(count) * (1.0 + psi)) : model.number_density;
 }
 
 }  // namespace
@@ -40,11 +40,13 @@ double undisturbed_density(const Model<D>& model, FluidState<D>& fluid, Workspac
 template <int D>
 Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::vector<OpeningRole> roles,
                   double pressure, const std::function<void(double)>& progress) {
-  auto model = std::make_unique<Model<D>>(lumen, options, std::move(roles));
+  auto owned = std::make_unique<Model<D>>(lumen, options, std::move(roles));
+  Model<D>* model = owned.get();
   state_.fluid = fill(*model, {.progress = progress});
   const double psi = pressure / (options.density * options.sound_speed * options.sound_speed);
+  model->rest_volume = 1.0 / (1.0 + psi);
   model->number_density = undisturbed_density(*model, state_.fluid, work_, psi);
-  model_ = std::move(model);
+  model_ = std::move(owned);
   for (std::size_t i = 0; i < state_.fluid.places(); ++i)
     if (state_.fluid.filled[i]) state_.fluid.psi(i) = static_cast<float>(psi);
   state_.ports.resize(lumen.openings.size());
@@ -52,6 +54,7 @@ Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::ve
   find_zones(*model_, state_.fluid, work_);
   count_ports(*model_, state_, work_);
   for (auto& port : state_.ports) port.counted_at_start = port.counted;
+  model->capacity = content() * model->rest_volume;
 }
 
 template <int D>
@@ -63,6 +66,8 @@ Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::ve
                state_.ports.size(), lumen.openings.size());
   auto model = std::make_unique<Model<D>>(lumen, options, std::move(roles));
   model->number_density = saved.number_density;
+  model->rest_volume = saved.rest_volume;
+  model->capacity = saved.capacity;
   model_ = std::move(model);
 }
 
@@ -122,6 +127,7 @@ void Vessel<D>::prepare(double dt, double acoustic_dt, PhaseSeconds& seconds) {
     const Stopwatch watch(seconds.walls);
     wall_->attach(state_.wall, state_.fluid);
   }
+  work_.mean_density = wall_ || !(model_->capacity > 0.0) ? 0.0 : content() / model_->capacity;
   prepare_step(*model_, state_.fluid, work_, dt, acoustic_dt, seconds);
 }
 
@@ -317,6 +323,13 @@ void Vessel<D>::stop_leak(const std::vector<std::size_t>& gone) {
   const Vec<D>& x = state_.fluid.position[*std::min_element(gone.begin(), gone.end())];
   numerics_error("blood leaks through the wall: {} particles so far, the last at {} m at t = {:.6g} s",
                  state_.escaped, fmt::join(x.data(), x.data() + D, ", "), state_.time);
+}
+
+template <int D>
+double Vessel<D>::content() const {
+  double volume = static_cast<double>(state_.fluid.count()) * state_.fluid.volume;
+  for (const auto& port : state_.ports) volume -= port.counted - port.deleted + port.inserted;
+  return volume;
 }
 
 template <int D>

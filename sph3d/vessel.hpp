@@ -54,7 +54,9 @@ class Vessel {
   const VesselState<D>& state() const { return state_; }
   const Workspace<D>& workspace() const { return work_; }
   VesselState<D> save() const { return state_; }
-  SavedVessel<D> saved() const { return {state_, model_->number_density}; }
+  SavedVessel<D> saved() const {
+    return {state_, model_->number_density, model_->rest_volume, model_->capacity};
+  }
   void load(VesselState<D> state) { state_ = std::move(state); }
 
   /// The wall moves from now on: before the first step, or from where its state was saved.
@@ -70,6 +72,8 @@ class Vessel {
   }
   const PortState& port(int port) const { return state_.ports[port]; }
   PortState& port(int port) { return state_.ports[port]; }
+  /// Volume of the blood between the caps, at rho0, m3: what came in less what went out, to round-off.
+  double content() const;
   /// Volume the compressible fluid stores per unit of pressure, V / (rho0 c^2), m3/Pa.
   double storage() const;
   std::size_t bytes() const;

@@ -115,6 +115,7 @@ struct FluidConstants {
   float damping = 0;         ///< 2 nu / 2h, the speed with which viscosity damps jumps over a reach  m/s
   float gravity[3] = {};     ///< body force per mass                           m/s2
   float number_density = 1;  ///< of the undisturbed fluid                      -
+  float rest_volume = 1;     ///< of a particle at the pressure of the start, over that at pressure 0
   float correction = 0;      ///< rate at which psi returns to the sum, theta/dt 1/s
 };
 

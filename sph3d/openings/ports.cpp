@@ -32,11 +32,14 @@ void drive_by_pressure(const Model<D>& model, VesselState<D>& state, Workspace<D
                        const Drive& drive, double dt, double filter_time) {
   const Vec<D>& n = model.ducts[k].opening().normal;
   PortState& port = state.ports[k];
-  const double V = state.fluid.volume, rho = model.options.density;
+  const double V = state.fluid.volume;
+  const auto density_of = [&](const Zone<D>::Member& member) {
+    return model.options.density * model.density_ratio(state.fluid.psi(member.index));
+  };
   double q_tilde = 0, beta = 0;
   for (const auto& member : work.zones[k].members) {
     q_tilde += V * member.drive * state.fluid.velocity(member.index).dot(n);
-    beta += V * member.drive * member.drive / rho;
+    beta += V * member.drive * member.drive / density_of(member);
   }
   PortLaw law = port.filter.corrected(state.datum.relative(drive.law.at(state.time + dt - drive.since)));
   const double inertia = duct_inertia(model, k, drive.law.resistance, filter_time) * port.flow_rate;
@@ -46,8 +49,8 @@ void drive_by_pressure(const Model<D>& model, VesselState<D>& state, Workspace<D
   port.conjugate = q_tilde - beta * dt * port.face_pressure;
   port.filter.step_conjugate(port.conjugate, dt, filter_time);
   for (const auto& member : work.zones[k].members) {
-    const double vn =
-        state.fluid.velocity(member.index).dot(n) - dt * port.face_pressure / rho * member.drive;
+    const double vn = state.fluid.velocity(member.index).dot(n) -
+                      dt * port.face_pressure / density_of(member) * member.drive;
     set_velocity<D>(state.fluid, work, member.index, vn * n, dt);
   }
 }

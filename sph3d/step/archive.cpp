@@ -82,6 +82,8 @@ void archive(Archive& a, VesselState<D>& state) {
 template <int D>
 void archive(Archive& a, SavedVessel<D>& saved) {
   a("number_density", saved.number_density);
+  a("rest_volume", saved.rest_volume);
+  a("capacity", saved.capacity);
   a.part("state", [&] { archive(a, saved.state); });
 }
 

@@ -48,6 +48,8 @@ struct Model {
   Model(const Lumen<D>& lumen, const FluidOptions<D>& options, std::vector<OpeningRole> roles);
 
   double reach() const { return kernel.reach(); }
+  /// rho over rho0 for the density deviation psi: 1 at the pressure of the start, when particles take up their volume V.
+  double density_ratio(double psi) const { return (1.0 + psi) * rest_volume; }
 
   FluidOptions<D> options;
   Lumen<D> lumen;   // as read
@@ -62,6 +64,8 @@ struct Model {
   Vec<D> origin;                     // of the local coordinates
   double particle_volume;            // dp^D
   double number_density;             // sum W V of undisturbed fluid (density is measured against it)
+  double rest_volume = 1;            // of a particle at the pressure of the start, over that at pressure 0
+  double capacity = 0;  // volume of undisturbed fluid, V = m/rho0, that fills the lumen between its caps
 };
 
 extern template struct Model<2>;

@@ -29,7 +29,8 @@ FluidConstants constants_of(const Model<D>& model) {
                            .viscosity = f(o.viscosity),
                            .limiter = f(o.limiter),
                            .damping = f(2.0 * o.viscosity / model.kernel.reach()),
-                           .number_density = f(model.number_density)};
+                           .number_density = f(model.number_density),
+                           .rest_volume = f(model.rest_volume)};
   for (int d = 0; d < D; ++d) constants.gravity[d] = f(o.gravity[d]);
   return constants;
 }

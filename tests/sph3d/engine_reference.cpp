@@ -69,11 +69,14 @@ std::pair<Mat<D>, double> plain_correction(const Model<D>& model, const Cluster<
   }
   const Vec<D> n = flux.normalized();
   const double s = space.distance(around.filling[lane]);
-  M += space.moment_n(s) * n * n.transpose() + space.moment_t(s) * (Mat<D>::Identity() - n * n.transpose());
+  const double ratio = model.density_ratio(own.psi[lane]);
+  M += ratio *
+       (space.moment_n(s) * n * n.transpose() + space.moment_t(s) * (Mat<D>::Identity() - n * n.transpose()));
   const double weight = std::min(2 * M.determinant(), 1.0);
   const Mat<D> B = weight * M.inverse() + (1 - weight) * Mat<D>::Identity();
   const double nBn = n.dot(B * n);
-  return {B, model.options.viscosity * (space.friction_n(s) * nBn + space.friction_t(s) * (B.trace() - nBn))};
+  return {B, ratio * model.options.viscosity *
+                 (space.friction_n(s) * nBn + space.friction_t(s) * (B.trace() - nBn))};
 }
 
 template <int D>
@@ -118,7 +121,8 @@ void compare(const char* isa) {
   const float dt = 2e-5f;
   const auto n = static_cast<std::int64_t>(p.fluid.clusters.size());
   for (std::size_t i = 0; i < p.fluid.places(); ++i)
-    p.work.place[i].w = constants.kV * p.fluid.psi(i) * constants.c2;
+    p.work.place[i].w = constants.kV * constants.c2 * p.fluid.psi(i) /
+                        static_cast<float>(model.density_ratio(p.fluid.psi(i)));
   const auto before = reference.particles;
   fluid_kernels<D>().kick(0, n, p.fluid.clusters.data(), p.work.rows.data(), p.work.place.data(),
                           p.work.velocity.data(), nullptr, constants, dt);
@@ -200,7 +204,9 @@ void compare_whole_step(const Lumen<D>& lumen, std::size_t least_particles) {
   const auto& kernels = fluid_kernels<D>();
   const FluidConstants constants = constants_of(model);
   const auto n = static_cast<std::int64_t>(p.fluid.clusters.size());
-  for (std::size_t i = 0; i < places; ++i) p.work.place[i].w = constants.kV * p.fluid.psi(i) * constants.c2;
+  for (std::size_t i = 0; i < places; ++i)
+    p.work.place[i].w = constants.kV * constants.c2 * p.fluid.psi(i) /
+                        static_cast<float>(model.density_ratio(p.fluid.psi(i)));
   Largest acceleration, rate, wall_force;
   std::vector<Vec<D>> before(places);
   for (int k = 1; k <= acoustic_steps; ++k) {

@@ -32,7 +32,9 @@ std::string vessel_part(const Case& study, int threads) {
                             ? fmt::format("flow prescribed by the network, {} profile",
                                           s.profiles[k] == sph3d::Profile::plug ? "plug" : "parabolic")
                             : "pressure of the network");
-  if (s.wall) text += fmt::format("  wall       a shell of {} particles\n", s.wall->count());
+  if (s.wall)
+    text += fmt::format("  wall       a {} of {} particles\n", is_solid(*s.wall) ? "solid" : "shell",
+                        particles_of(*s.wall));
   const Estimate e = estimate(study, s, nominal_speed(threads));
   for (const auto& line : estimate_lines(study, e, threads)) text += line + "\n";
   return text;

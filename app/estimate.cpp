@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/coupled_options.hpp"
+#include "app/wall_setup.hpp"
 #include "core/error.hpp"
 
 namespace ostium::app {
@@ -16,6 +17,22 @@ constexpr double bytes_per_particle = 1260, bytes_of_program = 5e7;
 /// In an acoustic step a particle of a moving wall, with its share of the exchange, takes as long as so many of the blood
 /// (an aorta and a pipe).
 constexpr double like_blood = 14;
+
+/// A solid's particle takes in one of its own steps as long as this share of one of the blood in an acoustic step (T-pipe).
+constexpr double solid_like_blood = 0.6;
+
+/// Of the wall in one acoustic step of dt, in particles of the blood.
+template <int D>
+double wall_work(const Case& study, const WallPlan<D>& plan, double dt) {
+  const auto particles = static_cast<double>(particles_of(plan));
+  if (!is_solid(plan)) return like_blood * particles;
+  const WallCase& w = study.vessel->wall;
+  const double spacing = 2.0 * std::get<sph3d::WallCloud<D>>(plan).inner.depth,
+               c = sph3d::wave_speed(sph3d::elastic(w.material->E, w.material->nu).p_wave(),
+                                     w.density.value_or(usual_wall_density)),
+               step = 0.6 * spacing / c;
+  return solid_like_blood * particles * std::max(1.0, dt / step);
+}
 
 /// Particles of the vessel and of its ducts.
 template <int D>
@@ -59,7 +76,8 @@ Estimate estimate(const Case& study, const Setup<D>& setup, const Calibration& s
   e.wall = speed.modelling * setup.lumen.wall_area / std::pow(study.vessel->spacing, D - 1) +
            all_particles(study, setup.lumen) *
                (speed.filling + e.steps * speed.acoustic + e.advection_steps * speed.advection);
-  if (setup.wall) e.wall += e.steps * like_blood * static_cast<double>(setup.wall->count()) * speed.acoustic;
+  if (setup.wall)
+    e.wall += e.steps * wall_work(study, *setup.wall, study.time.final() / e.steps) * speed.acoustic;
   e.memory = bytes_of_program + bytes_per_particle * e.particles;
   return e;
 }

@@ -149,7 +149,7 @@ Setup<D> set_up(const Case& study) {
   const network::Network network(s.model, s.ports);
   for (int k = 0; k < network.port_count(); ++k) s.kinds.push_back(network.kind(k));
   for (const auto& opening : s.lumen.openings) s.profiles.push_back(profile_of(*study.vessel, opening.name));
-  if (moves(study)) s.wall = wall_shell(study, s.lumen);
+  if (moves(study)) s.wall = plan_wall(study, s.lumen);
   return s;
 }
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "app/case.hpp"
+#include "app/wall_plan.hpp"
 #include "network/network.hpp"
 #include "network/periodic.hpp"
 #include "sph3d/geometry/lumen.hpp"
-#include "sph3d/shell/generate.hpp"
 
 namespace ostium::app {
 
@@ -32,9 +32,9 @@ struct Setup {
   sph3d::Lumen<D> lumen;
   network::Model model;
   std::vector<network::Port> ports;
-  std::vector<network::PortKind> kinds;     // of each port
-  std::vector<sph3d::Profile> profiles;     // of each opening
-  std::optional<sph3d::WallShell<D>> wall;  // where it moves
+  std::vector<network::PortKind> kinds;  // of each port
+  std::vector<sph3d::Profile> profiles;  // of each opening
+  std::optional<WallPlan<D>> wall;       // where it moves
 };
 
 /// Everything a coupled run needs; the graph has been checked against the openings.

@@ -1,6 +1,8 @@
 // The keys of `vessel.wall`: name, unit, range, default and meaning of each.
 #include "app/wall_case.hpp"
 
+#include <fmt/format.h>
+
 namespace ostium::app {
 namespace {
 
@@ -44,6 +46,27 @@ std::string given(const WallCase& w) {
   return {};
 }
 
+/// What a shell has and a solid has not.
+std::string check_solid(const WallCase& w) {
+  const std::pair<const char*, bool> lacking[] = {{"varying_thickness", w.varying_thickness.has_value()},
+                                                  {"varying_stiffness", w.varying_stiffness.has_value()},
+                                                  {"support", w.support.has_value()},
+                                                  {"prestress", w.prestress.has_value()},
+                                                  {"gauss_points", w.gauss_points.has_value()}};
+  for (const auto& [key, there] : lacking)
+    if (there)
+      return fmt::format("a solid wall has no \"{}\"; remove the key, or write \"model: shell\"", key);
+  if (!w.thickness) return "a solid wall needs its \"thickness\"; write for example \"thickness: 2 mm\"";
+  if (!w.material)
+    return "a solid wall needs its \"material\"; write for example \"material: {law: neo_hookean, E: 0.75 "
+           "MPa, nu: 0.49}\"";
+  if (w.material->law == WallLaw::holzapfel)
+    return "a solid wall has no fibres; take the law \"neo_hookean\", or write \"model: shell\"";
+  if (w.ends && *w.ends != sph3d::WallEnds::clamped)
+    return "the ends of a solid wall are clamped; remove \"ends\", or write \"model: shell\"";
+  return {};
+}
+
 std::string check_wall(const WallCase& w) {
   if (w.model == WallModel::rigid) {
     const std::string key = given(w);
@@ -51,6 +74,7 @@ std::string check_wall(const WallCase& w) {
                        : "a rigid wall has no \"" + key +
                              "\"; write \"model: shell\" for a wall that moves, or remove the key";
   }
+  if (w.model == WallModel::solid) return check_solid(w);
   if (w.thickness.has_value() == w.varying_thickness.has_value())
     return "a shell needs either \"thickness\" or \"varying_thickness\"; write for example \"thickness: 2 "
            "mm\"";
@@ -127,21 +151,26 @@ void declare(config::Fields<PrestressCase>& f) {
 }
 
 void declare(config::Fields<WallCase>& f) {
-  f.choice("model", &WallCase::model, {{"rigid", WallModel::rigid}, {"shell", WallModel::shell}},
-           "rigid, or a thin elastic shell that moves with the blood")
+  f.choice("model", &WallCase::model,
+           {{"rigid", WallModel::rigid}, {"shell", WallModel::shell}, {"solid", WallModel::solid}},
+           "rigid; a thin elastic shell that moves with the blood; the same wall in its full thickness, to "
+           "compare with")
       .or_else(WallModel::rigid);
   f.quantity("thickness", &WallCase::thickness, "m",
-             "shell: thickness of the wall, outwards from the surface")
+             "shell, solid: thickness of the wall, outwards from the surface")
       .positive();
   f.section("varying_thickness", &WallCase::varying_thickness,
             "shell: a thickness that is not the same everywhere");
   f.section("varying_stiffness", &WallCase::varying_stiffness,
             "shell: factor on the material's stress, likewise");
-  f.section("material", &WallCase::material, "shell: what the wall is made of");
-  f.quantity("density", &WallCase::density, "kg/m3", "shell: density of the wall; without it 1100 kg/m3")
+  f.section("material", &WallCase::material, "shell, solid: what the wall is made of");
+  f.quantity("density", &WallCase::density, "kg/m3",
+             "shell, solid: density of the wall; without it 1100 kg/m3")
       .positive();
-  f.quantity("spacing", &WallCase::spacing, "m",
-             "shell: spacing of its particles; without it that of the blood, the coarsest allowed")
+  f.quantity(
+       "spacing", &WallCase::spacing, "m",
+       "shell, solid: spacing of its particles; without it that of the blood, the coarsest allowed, of a "
+       "solid a quarter of the thickness where that is less")
       .positive();
   f.choice("ends", &WallCase::ends,
            {{"clamped", sph3d::WallEnds::clamped},
@@ -149,9 +178,10 @@ void declare(config::Fields<WallCase>& f) {
             {"free", sph3d::WallEnds::free}},
            "shell: at the openings the wall neither moves nor turns (without the key), may widen but not "
            "move along, or is not held");
-  f.quantity("clamp_length", &WallCase::clamp_length, "m",
-             "shell: how far inside its opening an end is held; without it the reach of the blood's kernel "
-             "and one row")
+  f.quantity(
+       "clamp_length", &WallCase::clamp_length, "m",
+       "shell, solid: how far inside its opening an end is held; without it the reach of the blood's kernel "
+       "and one row")
       .positive();
   f.section("support", &WallCase::support, "shell: tissue around the vessel");
   f.section("prestress", &WallCase::prestress,
@@ -159,9 +189,9 @@ void declare(config::Fields<WallCase>& f) {
             "this pressure. Without it "
             "the shape of the image is free of stress");
   f.quantity("outside_pressure", &WallCase::outside_pressure, "Pa",
-             "shell: pressure of the tissue; without it 0");
+             "shell, solid: pressure of the tissue; without it 0");
   f.quantity("viscosity", &WallCase::viscosity, "Pa.s",
-             "shell: of the wall's own (Kelvin-Voigt); without it 0")
+             "shell, solid: of the wall's own (Kelvin-Voigt); without it 0")
       .non_negative();
   f.integer("gauss_points", &WallCase::gauss_points,
             "shell: through the thickness, 1 (a membrane), 2, 3 or 5; without it 3")

@@ -13,7 +13,7 @@
 
 namespace ostium::app {
 
-enum class WallModel { rigid, shell };
+enum class WallModel { rigid, shell, solid };
 enum class WallLaw { saint_venant_kirchhoff, neo_hookean, holzapfel };
 
 struct MaterialCase {

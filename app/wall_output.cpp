@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sph3d/fields/shell_fields.hpp"
+#include "sph3d/fields/structure_fields.hpp"
 #include "sph3d/fields/wall_gradient.hpp"
 #include "sph3d/io/fields.hpp"
 #include "sph3d/walls/smallest_rotation.hpp"
@@ -100,13 +100,13 @@ void WallOutput<D>::write(const sph3d::Vessel<D>& vessel, const std::string& num
     std::vector<Vec<D>> displacement;
     for (std::size_t a = 0; a < now.size(); ++a) displacement.push_back(now[a].position - rest[a].position);
     fields.add("displacement", displacement);
-    const auto shell = sph3d::shell_fields(vessel.wall()->shell(), vessel.state().wall.shell);
+    const auto structure = sph3d::structure_fields(*vessel.wall(), vessel.state().wall);
     for (const auto& [name, depth] :
-         {std::pair("inner", &shell.inner), {"middle", &shell.middle}, {"outer", &shell.outer}}) {
+         {std::pair("inner", &structure.inner), {"middle", &structure.middle}, {"outer", &structure.outer}}) {
       fields.add(std::string("stress_") + name, depth->stress);
       fields.add(std::string("von_mises_") + name, depth->von_mises);
     }
-    fields.add("strain_energy", shell.energy);
+    fields.add("strain_energy", structure.energy);
   }
   const auto wall = folder_ / ("wall_" + number + ".vtp"), surface = folder_ / ("surface_" + number + ".vtp");
   fields.write(wall, now, surface, map_.moved(rest, now));

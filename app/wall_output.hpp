@@ -2,11 +2,11 @@
 /// surface, displaced with the wall; and after each cycle cycle_NNN_wall.vtp and cycle_NNN_surface.vtp. Each has its series (.pvd).
 ///
 ///   wall, surface       pressure Pa, wall_shear_stress Pa, wall_shear_stress_gradient Pa
-///   of a shell as well  displacement m, stress_{inner,middle,outer} Pa, von_mises_{inner,middle,outer} Pa, strain_energy J/m2
+///   where it moves      displacement m, stress_{inner,middle,outer} Pa, von_mises_{inner,middle,outer} Pa, strain_energy J/m2
 ///   cycle               tawss Pa, osi -, rrt 1/Pa, mean_wall_shear_stress Pa, mean_pressure Pa
 ///   wall only           area m2, normal -
 ///
-/// Source: sph3d/fields (wall_loads, wall_gradient, wall_cycle, shell_fields, surface_map).
+/// Source: sph3d/fields (wall_loads, wall_gradient, wall_cycle, structure_fields, surface_map).
 #pragma once
 #include <filesystem>
 

@@ -13,7 +13,7 @@ namespace {
 
 using namespace sph3d;
 
-constexpr double usual_density = 1100, usual_fibre_angle = 40 * pi / 180;  // kg/m3, rad
+constexpr double usual_fibre_angle = 40 * pi / 180;  // rad
 
 Material material_of(const MaterialCase& m) {
   const Moduli moduli = elastic(m.E, m.nu);
@@ -71,7 +71,7 @@ double typical(const WallQuantity& quantity, const Lumen<D>& lumen) {
 ShellOptions shell_options(const VesselCase& vessel) {
   const WallCase& w = vessel.wall;
   ShellOptions options{.spacing = w.spacing.value_or(vessel.spacing),
-                       .density = w.density.value_or(usual_density),
+                       .density = w.density.value_or(usual_wall_density),
                        .material = material_of(*w.material),
                        .gauss_points = w.gauss_points.value_or(3),
                        .viscosity = w.viscosity.value_or(0.0),
@@ -88,7 +88,7 @@ void check_exchange(const Case& study, const std::vector<double>& thickness) {
   const double thinnest = *std::min_element(thickness.begin(), thickness.end()),
                cfl = study.numerics.acoustic_cfl,
                blood = study.fluid.density * cfl * smoothing_ratio * vessel.spacing,
-               mass = vessel.wall.density.value_or(usual_density) * thinnest;
+               mass = vessel.wall.density.value_or(usual_wall_density) * thinnest;
   if (blood <= most * mass) return;
   vessel.wall.origin.error(
       "the wall, {:.3g} mm thick, is too light for blood of this spacing: it weighs {:.3g} kg/m2, the blood "
@@ -115,9 +115,10 @@ WallScales wall_scales(const Case& study, const Lumen<D>& lumen) {
   return {std::sqrt(speed2), lumen.volume / (rho * speed2)};
 }
 
+namespace {
+
 template <int D>
-WallShell<D> wall_shell(const Case& study, const Lumen<D>& lumen) {
-  const VesselCase& vessel = *study.vessel;
+WallShell<D> plan_shell(const VesselCase& vessel, const Lumen<D>& lumen) {
   const WallCase& w = vessel.wall;
   ShellWallOptions options{.spacing = w.spacing.value_or(vessel.spacing),
                            .fluid_spacing = vessel.spacing,
@@ -125,15 +126,41 @@ WallShell<D> wall_shell(const Case& study, const Lumen<D>& lumen) {
   if (w.varying_stiffness) options.stiffness = quantity_of(*w.varying_stiffness, vessel, lumen);
   options.ends = w.ends.value_or(WallEnds::clamped);
   options.clamp_length = w.clamp_length.value_or(0.0);
-  WallShell<D> shell;
+  WallShell<D> shell = shell_of(lumen, options);
+  for (const auto& warning : shell.warnings) log::warn("{}", warning);
+  return shell;
+}
+
+double solid_spacing(const VesselCase& vessel) {
+  return vessel.wall.spacing.value_or(std::min(vessel.spacing, 0.25 * *vessel.wall.thickness));
+}
+
+template <int D>
+WallCloud<D> plan_solid(const VesselCase& vessel, const Lumen<D>& lumen) {
+  return solid_of(lumen, {.spacing = solid_spacing(vessel),
+                          .fluid_spacing = vessel.spacing,
+                          .thickness = *vessel.wall.thickness,
+                          .clamp_length = vessel.wall.clamp_length.value_or(0.0)});
+}
+
+}  // namespace
+
+template <int D>
+WallPlan<D> plan_wall(const Case& study, const Lumen<D>& lumen) {
+  const VesselCase& vessel = *study.vessel;
+  const bool solid = vessel.wall.model == WallModel::solid;
+  WallPlan<D> plan;
   try {
-    shell = shell_of(lumen, options);
+    if (solid)
+      plan = plan_solid(vessel, lumen);
+    else
+      plan = plan_shell(vessel, lumen);
   } catch (const UserError& error) {
     vessel.origin.at("wall").error("{}", error.what());
   }
-  for (const auto& warning : shell.warnings) log::warn("{}", warning);
-  check_exchange(study, shell.cloud.thickness);
-  return shell;
+  check_exchange(study, solid ? std::vector<double>{*vessel.wall.thickness}
+                              : std::get<WallShell<D>>(plan).cloud.thickness);
+  return plan;
 }
 
 namespace {
@@ -155,25 +182,49 @@ void carry(ShellModel<D>& shell, const WallCase& w, bool quiet) {
       pressure, 1e3 * report.displacement);
 }
 
+template <int D>
+ShellBody<D> body_of(const Case& study, const WallShell<D>& plan, bool quiet) {
+  const VesselCase& vessel = *study.vessel;
+  ShellModel<D> shell(plan.cloud, shell_options(vessel));
+  if (vessel.wall.prestress) carry(shell, vessel.wall, quiet);
+  return {std::move(shell), plan.contact};
+}
+
+/// The viscosity of the wall's own is added to that of the numerics.
+template <int D>
+SolidBody<D> body_of(const Case& study, const WallCloud<D>& plan, bool) {
+  const WallCase& w = study.vessel->wall;
+  SolidOptions options{.material = material_of(*w.material),
+                       .density = w.density.value_or(usual_wall_density),
+                       .spacing = solid_spacing(*study.vessel)};
+  const double c = wave_speed(elastic(w.material->E, w.material->nu).plate(), options.density);
+  options.damping += 2.0 * w.viscosity.value_or(0.0) / (options.density * c * options.spacing);
+  return {plan, options};
+}
+
 }  // namespace
 
 template <int D>
-std::unique_ptr<DeformableWall<D>> make_wall(const Case& study, const WallShell<D>& wall,
+std::unique_ptr<DeformableWall<D>> make_wall(const Case& study, const WallPlan<D>& plan,
                                              const Model<D>& model, double ramp, bool quiet) {
   const WallCase& w = study.vessel->wall;
-  ShellModel<D> shell(wall.cloud, shell_options(*study.vessel));
   SurroundingsOfWall around{.outside_pressure = w.outside_pressure.value_or(0.0), .ramp = ramp};
   around.rest_pressure = w.prestress ? w.prestress->pressure : around.outside_pressure;
-  if (w.prestress) carry(shell, w, quiet);
-  return std::make_unique<DeformableWall<D>>(std::move(shell), wall.contact, model.reach(), around);
+  WallBody<D> body = std::visit([&](const auto& p) -> WallBody<D> { return body_of(study, p, quiet); }, plan);
+  return std::make_unique<DeformableWall<D>>(std::move(body), model.reach(), around);
 }
 
 template <int D>
 std::string wall_text(const WallScales& scales, double sound_speed, const DeformableWall<D>& wall) {
-  std::string text =
-      fmt::format("the wall moves: {} shell particles of {:.3g} mm, {}", wall.shell().count(),
-                  1e3 * wall.shell().options.spacing,
-                  std::visit([](const auto& law) { return law.name; }, wall.shell().options.material));
+  std::string text = std::visit(
+      [](const auto& body) {
+        const auto& o = body.model().options;
+        const bool shell = std::is_same_v<std::decay_t<decltype(body)>, ShellBody<D>>;
+        return fmt::format("the wall moves: {} {} particles of {:.3g} mm, {}", body.model().count(),
+                           shell ? "shell" : "solid", 1e3 * o.spacing,
+                           std::visit([](const auto& law) { return law.name; }, o.material));
+      },
+      wall.body());
   if (scales.pulse_speed <= 0) return text;
   const double ratio = scales.effective_speed(sound_speed) / scales.pulse_speed,
                fluid = scales.compliance * std::pow(scales.pulse_speed / sound_speed, 2);
@@ -193,11 +244,11 @@ std::string wall_text(const WallScales& scales, double sound_speed, const Deform
 
 template WallScales wall_scales(const Case&, const Lumen<2>&);
 template WallScales wall_scales(const Case&, const Lumen<3>&);
-template WallShell<2> wall_shell(const Case&, const Lumen<2>&);
-template WallShell<3> wall_shell(const Case&, const Lumen<3>&);
-template std::unique_ptr<DeformableWall<2>> make_wall(const Case&, const WallShell<2>&, const Model<2>&,
+template WallPlan<2> plan_wall(const Case&, const Lumen<2>&);
+template WallPlan<3> plan_wall(const Case&, const Lumen<3>&);
+template std::unique_ptr<DeformableWall<2>> make_wall(const Case&, const WallPlan<2>&, const Model<2>&,
                                                       double, bool);
-template std::unique_ptr<DeformableWall<3>> make_wall(const Case&, const WallShell<3>&, const Model<3>&,
+template std::unique_ptr<DeformableWall<3>> make_wall(const Case&, const WallPlan<3>&, const Model<3>&,
                                                       double, bool);
 template std::string wall_text(const WallScales&, double, const DeformableWall<2>&);
 template std::string wall_text(const WallScales&, double, const DeformableWall<3>&);

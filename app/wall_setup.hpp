@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "app/case.hpp"
-#include "sph3d/shell/generate.hpp"
+#include "app/wall_plan.hpp"
 #include "sph3d/step/model.hpp"
 #include "sph3d/walls/deformable_wall.hpp"
 
@@ -19,6 +19,8 @@ namespace ostium::app {
 
 /// How many pulse wave speeds the sound speed is at least: the pulse wave is then 5 % slow.
 inline constexpr double sound_over_pulse = 3;
+
+inline constexpr double usual_wall_density = 1100;  // kg/m3
 
 struct WallScales {
   double pulse_speed = 0, compliance = 0;  // m/s, m3/Pa; zero where the wall is rigid
@@ -31,13 +33,13 @@ WallScales wall_scales(const Case& study, const sph3d::Lumen<D>& lumen);
 
 inline bool moves(const Case& study) { return study.vessel->wall.model != WallModel::rigid; }
 
-/// The shell of the case, with errors at their place in it.
+/// The particles of the case's wall, with errors at their place in it.
 template <int D>
-sph3d::WallShell<D> wall_shell(const Case& study, const sph3d::Lumen<D>& lumen);
+WallPlan<D> plan_wall(const Case& study, const sph3d::Lumen<D>& lumen);
 
 /// ramp: s, within which the first load comes.
 template <int D>
-std::unique_ptr<sph3d::DeformableWall<D>> make_wall(const Case& study, const sph3d::WallShell<D>& shell,
+std::unique_ptr<sph3d::DeformableWall<D>> make_wall(const Case& study, const WallPlan<D>& plan,
                                                     const sph3d::Model<D>& model, double ramp, bool quiet);
 
 /// What the wall is, how fast its pulse wave runs and what it stores; some lines for the start of a run.

@@ -74,9 +74,8 @@ Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::ve
 template <int D>
 void Vessel<D>::set_wall(std::unique_ptr<DeformableWall<D>> wall) {
   wall_ = std::move(wall);
-  if (state_.wall.shell.blocks.empty()) state_.wall = wall_->rest(state_.ports.front().pressure);
-  OSTIUM_ASSERT(state_.wall.velocity.size() == wall_->shell().count(), "a state of {} wall particles for {}",
-                state_.wall.velocity.size(), wall_->shell().count());
+  if (state_.wall.empty()) state_.wall = wall_->rest(state_.ports.front().pressure);
+  wall_->check(state_.wall);
   work_.wall_motion = &wall_->motion();
 }
 

@@ -1,14 +1,13 @@
 /// The points at which a vessel's wall is looked at, at rest and as it stands now.
 ///
 ///   rigid wall   spread over the lateral surface at the spacing of the fluid; they stay
-///   shell        its contact points; they move with it
+///   moving wall  its contact points; they move with it
 ///
 ///   position  m        on the surface that the blood touches
 ///   normal    -        unit, from the blood into the wall
-///   area      m^(D-1)  share of that surface. Of a shell: A |(x_1 - d n_1) x (x_2 - d n_2)|, from the tangents of its
-///                      mid-surface and of its pseudo-normal, d being the depth of the mid-surface behind the contact
+///   area      m^(D-1)  share of that surface (walls/shell_body.hpp, walls/solid_body.hpp)
 ///
-/// Source: docs/theory/walls.md, "Wall fields". Not checked: that a shell has not folded.
+/// Source: docs/theory/walls.md, "Wall fields". Not checked: that a wall has not folded.
 #pragma once
 #include "sph3d/geometry/sample.hpp"
 #include "sph3d/vessel.hpp"

@@ -38,22 +38,30 @@ double hourglass_energy(const SolidModel<D>& m, const std::vector<Vec<D>>& u, st
   return 0.5 * modulus * m.cloud.volume[a] * sum;
 }
 
+template <int D>
+double strain_energy(const SolidModel<D>& m, std::size_t a, const Mat<D>& F) {
+  const double density = std::visit(
+      [&](const auto& law) { return law.energy(green_strain<D>(F), m.fibres_of(a)); }, m.options.material);
+  return m.cloud.volume[a] * m.stiffness_of(a) * density;
+}
+
 }  // namespace
 
 template <int D>
 SolidEnergy energy(const SolidModel<D>& m, const SolidState<D>& state) {
   SolidEnergy e;
-  std::visit(
-      [&](const auto& law) {
-        for (std::size_t a = 0; a < m.count(); ++a) {
-          const Mat<D> F = deformation_gradient(m, state.displacement, a);
-          e.kinetic += 0.5 * m.mass(a) * state.velocity[a].squaredNorm();
-          e.strain += m.cloud.volume[a] * m.stiffness_of(a) * law.energy(green_strain<D>(F), m.fibres_of(a));
-          e.hourglass += hourglass_energy(m, state.displacement, a, F);
-        }
-      },
-      m.options.material);
+  for (std::size_t a = 0; a < m.count(); ++a) {
+    const Mat<D> F = deformation_gradient(m, state.displacement, a);
+    e.kinetic += 0.5 * m.mass(a) * state.velocity[a].squaredNorm();
+    e.strain += strain_energy(m, a, F);
+    e.hourglass += hourglass_energy(m, state.displacement, a, F);
+  }
   return e;
+}
+
+template <int D>
+double strain_energy(const SolidModel<D>& m, const SolidState<D>& state, std::size_t a) {
+  return strain_energy(m, a, deformation_gradient(m, state.displacement, a));
 }
 
 template <int D>
@@ -68,6 +76,8 @@ Sym3<double> cauchy_stress(const SolidModel<D>& m, const SolidState<D>& state, s
 
 template SolidEnergy energy(const SolidModel<2>&, const SolidState<2>&);
 template SolidEnergy energy(const SolidModel<3>&, const SolidState<3>&);
+template double strain_energy(const SolidModel<2>&, const SolidState<2>&, std::size_t);
+template double strain_energy(const SolidModel<3>&, const SolidState<3>&, std::size_t);
 template Sym3<double> cauchy_stress(const SolidModel<2>&, const SolidState<2>&, std::size_t);
 template Sym3<double> cauchy_stress(const SolidModel<3>&, const SolidState<3>&, std::size_t);
 

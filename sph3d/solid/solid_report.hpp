@@ -19,6 +19,10 @@ struct SolidEnergy {
 template <int D>
 SolidEnergy energy(const SolidModel<D>& model, const SolidState<D>& state);
 
+/// V Psi(E_a) of one particle, J.
+template <int D>
+double strain_energy(const SolidModel<D>& model, const SolidState<D>& state, std::size_t a);
+
 /// In 2D with the component out of the plane, zz.
 template <int D>
 Sym3<double> cauchy_stress(const SolidModel<D>& model, const SolidState<D>& state, std::size_t a);

@@ -55,6 +55,7 @@ void carry(const SolidModel<D>& m, std::size_t a, const Vec<D>& f, const Vec<D>&
 template <int D>
 void press(const SolidModel<D>& m, const SolidState<D>& state, const PressurePatch<D>& patch,
            std::vector<Vec<D>>& load) {
+  if (patch.pressure == 0.0) return;
   for (std::size_t k = 0; k < patch.particle.size(); ++k) {
     const std::int32_t a = patch.particle[k];
     const Mat<D> F = deformation_gradient(m, state.displacement, a);

@@ -85,6 +85,17 @@ void for_pieces(const Surface<3>& s, int f, double size, F&& visit) {
     }
 }
 
+/// The nearest of the points, within three spacings.
+template <int D>
+int nearest(const PointGrid<D>& grid, const Vec<D>& x) {
+  double least = 1e300;
+  int best = -1;
+  grid.near(x, [&](int j, const Vec<D>& apart) {
+    if (apart.squaredNorm() < least) least = apart.squaredNorm(), best = j;
+  });
+  return best;
+}
+
 /// Each small piece of the inner surface goes to the nearest particle of the first layer.
 template <int D>
 PressurePatch<D> inner_patch(const WallCloud<D>& cloud, const Lumen<D>& lumen, double height,
@@ -101,15 +112,23 @@ PressurePatch<D> inner_patch(const WallCloud<D>& cloud, const Lumen<D>& lumen, d
   for (int f = 0; f < static_cast<int>(s.facets.size()); ++f) {
     if (s.label[f] >= 0) continue;
     for_pieces(s, f, 0.3 * spacing, [&](const Vec<D>& x, const Vec<D>& area) {
-      double nearest = 1e300;
-      int best = -1;
-      grid.near(x, [&](int j, const Vec<D>& apart) {
-        if (apart.squaredNorm() < nearest) nearest = apart.squaredNorm(), best = j;
-      });
+      const int best = nearest<D>(grid, x);
       if (best >= 0) patch.area[best] -= area;  // out of the wall is into the lumen
     });
   }
   return patch;
+}
+
+/// Contact points below the first layer, and the one at the foot of every particle.
+template <int D>
+void find_contacts(WallCloud<D>& cloud, const SignedDistance<D>& inner, double spacing) {
+  for (const auto a : cloud.inner.particle) cloud.contact.push_back(inner(cloud.solid.position[a]).closest);
+  const PointGrid<D> grid(cloud.contact, 3 * spacing);
+  for (std::size_t a = 0; a < cloud.layer.size(); ++a) {
+    const Vec<D> foot = inner(cloud.solid.position[a]).closest;
+    cloud.column.push_back(nearest<D>(grid, foot));
+    OSTIUM_ASSERT(cloud.column.back() >= 0, "no particle of the first layer near the foot of particle {}", a);
+  }
 }
 
 }  // namespace
@@ -125,6 +144,7 @@ WallCloud<D> wall_cloud(const Lumen<D>& lumen, double thickness, double spacing)
   reorder(cloud.solid.position, order), reorder(cloud.solid.volume, order);
   reorder(cloud.depth, order), reorder(cloud.normal, order), reorder(cloud.layer, order);
   cloud.inner = inner_patch(cloud, lumen, height, spacing);
+  find_contacts(cloud, inner, spacing);
   return cloud;
 }
 

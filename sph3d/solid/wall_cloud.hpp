@@ -7,6 +7,8 @@
 ///   normal   out of the lumen, unit
 ///   layer    0 next to the lumen
 ///   inner    the inner surface, for the pressure of the blood: its area vectors point out of the wall, into the lumen
+///   contact  its point next to each particle of the first layer, in the order of inner.particle                 m
+///   column   above which of these points a particle stands
 ///
 /// Each layer is spread over its own surface (geometry/sample.hpp), so that layers lie where they belong and the mass is that of
 /// the wall: the sum over layers is exact but for t^3/12 of the Gauss curvature. Where the offset surface would cut itself, at
@@ -25,6 +27,8 @@ struct WallCloud {
   std::vector<Vec<D>> normal;
   std::vector<int> layer;
   PressurePatch<D> inner;
+  std::vector<Vec<D>> contact;
+  std::vector<std::int32_t> column;
 };
 
 template <int D>

@@ -54,9 +54,11 @@ void archive(Archive& a, FluidState<D>& fluid) {
              fmt::format("{} clusters of eight for {} places", fluid.clusters.size(), fluid.places()));
 }
 
+/// Without the blocks of a shell the wall is a solid.
 template <int D>
 void archive(Archive& a, DeformableWallState<D>& wall) {
   a.part("shell", [&] { archive(a, wall.shell); });
+  if (wall.shell.blocks.empty()) a.part("solid", [&] { archive(a, wall.solid); });
   a.template records<double>("velocity", wall.velocity);
   a.template records<double>("impact", wall.impact);
   a("withheld", wall.withheld);
@@ -74,7 +76,7 @@ void archive(Archive& a, VesselState<D>& state) {
   a.part("fluid", [&] { archive(a, state.fluid); });
   a.part("datum", [&] { archive(a, state.datum); });
   a.list("ports", state.ports, [&](PortState& port) { archive(a, port); });
-  bool moves = !state.wall.shell.blocks.empty();
+  bool moves = !state.wall.empty();
   a("wall_moves", moves);
   if (moves) a.part("wall", [&] { archive(a, state.wall); });
 }

@@ -10,62 +10,57 @@ namespace ostium::sph3d {
 
 namespace {
 
-/// What the tissue around the wall allows: its springs' period and its dashpots' decay.
-template <int D>
-double longest_step_of_support(const ShellModel<D>& model) {
-  const ShellOptions& o = model.options;
-  double longest = 1e300;
-  for (const double t : model.cloud.thickness) {
-    const double mass = o.density * t;
-    if (o.spring > 0) longest = std::min(longest, 2.0 * std::sqrt(mass / o.spring));
-    if (o.dashpot > 0) longest = std::min(longest, mass / o.dashpot);
-  }
-  return o.cfl * longest;
+/// f(body, its part of the state).
+template <class Body, class State, class F>
+decltype(auto) on_body(Body& body, State& state, F&& f) {
+  return std::visit([&](auto& one) -> decltype(auto) { return f(one, state.*one.state); }, body);
 }
 
 }  // namespace
 
 template <int D>
-DeformableWall<D>::DeformableWall(ShellModel<D> shell, std::vector<Vec<D>> contact, double reach,
-                                  const SurroundingsOfWall& around)
-    : model_(std::move(shell)),
+DeformableWall<D>::DeformableWall(WallBody<D> body, double reach, const SurroundingsOfWall& around)
+    : body_(std::move(body)),
       around_(around),
-      longest_step_(std::min(stable_step(model_), longest_step_of_support(model_))),
-      motion_(contact, model_.cloud.normal, model_.options.spacing, reach),
-      work_(model_),
-      load_(no_load(model_)),
-      force_(model_.count(), Vec<D>::Zero()) {
-  const ShellCloud<D>& cloud = model_.cloud;
-  OSTIUM_ASSERT(contact.size() == cloud.count(), "{} contact points, {} shell particles", contact.size(),
-                cloud.count());
-  for (std::size_t a = 0; a < contact.size(); ++a)
-    depth_.push_back((cloud.position[a] - contact[a]).dot(cloud.normal[a]));
-}
+      motion_(std::visit(
+          [&](const auto& b) {
+            return WallMotion<D>(b.reference(), b.reference_normals(), b.spacing(), reach);
+          },
+          body_)),
+      force_(std::visit([](const auto& b) { return b.count(); }, body_), Vec<D>::Zero()) {}
 
 template <int D>
 DeformableWallState<D> DeformableWall<D>::rest(double pressure) const {
-  const std::vector<Vec<D>> none(model_.count(), Vec<D>::Zero());
-  return {sph3d::rest(model_), none, none, pressure - around_.rest_pressure};
+  const std::vector<Vec<D>> none(count(), Vec<D>::Zero());
+  DeformableWallState<D> state{
+      .velocity = none, .impact = none, .withheld = pressure - around_.rest_pressure};
+  on_body(body_, state, [](const auto& body, auto& own) { own = body.at_rest(); });
+  return state;
 }
 
 template <int D>
-std::vector<Vec<D>> DeformableWall<D>::normals(const ShellState<D>& shell) const {
-  std::vector<Vec<D>> n(model_.count());
-  for (std::size_t a = 0; a < n.size(); ++a) n[a] = shell.normal(a);
-  return n;
+void DeformableWall<D>::check(const DeformableWallState<D>& state) const {
+  OSTIUM_ASSERT(state.velocity.size() == count(), "a state of {} wall points for {}", state.velocity.size(),
+                count());
+  OSTIUM_ASSERT(state.shell.blocks.empty() == std::holds_alternative<SolidBody<D>>(body_),
+                "the state of a {} for another kind of wall", state.shell.blocks.empty() ? "solid" : "shell");
 }
 
 template <int D>
-std::vector<Vec<D>> DeformableWall<D>::contacts(const ShellState<D>& shell) const {
-  std::vector<Vec<D>> x(model_.count());
-  for (std::size_t a = 0; a < x.size(); ++a)
-    x[a] = model_.cloud.position[a] + shell.displacement(a) - depth_[a] * shell.normal(a);
-  return x;
+std::vector<WallPoint<D>> DeformableWall<D>::points_at_rest() const {
+  return std::visit([](const auto& body) { return body.points(body.at_rest()); }, body_);
+}
+
+template <int D>
+std::vector<WallPoint<D>> DeformableWall<D>::points(const DeformableWallState<D>& state) const {
+  return on_body(body_, state, [](const auto& body, const auto& own) { return body.points(own); });
 }
 
 template <int D>
 void DeformableWall<D>::attach(const DeformableWallState<D>& state, const FluidState<D>& fluid) {
-  motion_.attach(fluid, contacts(state.shell), normals(state.shell));
+  on_body(body_, state, [&](const auto& body, const auto& own) {
+    motion_.attach(fluid, body.contacts(own), body.normals(own));
+  });
   motion_.set_velocities(state.velocity);
   on_wall_.assign(fluid.places(), Vec<D>::Zero());
   impact_.assign(fluid.places(), Vec<D>::Zero());
@@ -108,23 +103,27 @@ void DeformableWall<D>::after_density(const Model<D>& model, const FluidState<D>
   });
 }
 
+/// Of the load at the start, what has not come yet.
+template <int D>
+double DeformableWall<D>::withheld(const DeformableWallState<D>& state, double time) const {
+  const double t = around_.ramp > 0.0 ? std::min(time / around_.ramp, 1.0) : 1.0;
+  return 0.5 * (1.0 + std::cos(pi * t)) * state.withheld;
+}
+
 template <int D>
 void DeformableWall<D>::step(DeformableWallState<D>& state, double dt, double reference_pressure) {
   motion_.gather(force_, [&](std::size_t i) { return on_wall_[i]; });
-  const double t = around_.ramp > 0.0 ? std::min(state.shell.time / around_.ramp, 1.0) : 1.0;
-  const double withheld = 0.5 * (1.0 + std::cos(pi * t)) * state.withheld;
-  for (std::size_t a = 0; a < model_.count(); ++a) {
+  for (std::size_t a = 0; a < count(); ++a) {
     force_[a] += state.impact[a];
     state.impact[a].setZero();
-    for (int d = 0; d < D; ++d) load_[a / 8].force[d][a % 8] = force_[a][d];
-    load_[a / 8].pressure[a % 8] = reference_pressure - around_.outside_pressure - withheld;
   }
-  const std::vector<Vec<D>> before = contacts(state.shell);
-  const double stable = std::min(longest_step_, stable_step(model_, state.shell, work_));
-  const int count = std::max(1, static_cast<int>(std::ceil(dt / stable)));
-  advance(model_, state.shell, load_, work_, {.dt = dt / count, .count = count});
-  const std::vector<Vec<D>> after = contacts(state.shell);
-  for (std::size_t a = 0; a < after.size(); ++a) state.velocity[a] = (after[a] - before[a]) / dt;
+  on_body(body_, state, [&](auto& body, auto& own) {
+    const std::vector<Vec<D>> before = body.contacts(own);
+    const double pressure = reference_pressure - around_.outside_pressure - withheld(state, own.time);
+    body.step(own, dt, force_, pressure);
+    const std::vector<Vec<D>> after = body.contacts(own);
+    for (std::size_t a = 0; a < after.size(); ++a) state.velocity[a] = (after[a] - before[a]) / dt;
+  });
   motion_.set_velocities(state.velocity);
   motion_.drift(dt);
 }

@@ -91,6 +91,39 @@ TEST_F(MovingWall, WhatAShellNeeds) {
               testing::AllOf(HasSubstr("vessel.wall"), HasSubstr("did you mean \"in\"")));
 }
 
+TEST_F(MovingWall, TheGoodSolidIsInOrder) {
+  write("case.yaml",
+        tube_with(fmt::format("{{model: solid, thickness: 2 mm, spacing: 0.5 mm, {}}}", material)));
+  const Outcome outcome = ostium("check case.yaml");
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, HasSubstr("a solid of "));
+}
+
+TEST_F(MovingWall, WhatASolidNeeds) {
+  EXPECT_THAT(refused("{model: solid, thickness: 2 mm}"), HasSubstr("a solid wall needs its \"material\""));
+  EXPECT_THAT(refused(fmt::format("{{model: solid, {}}}", material)),
+              HasSubstr("a solid wall needs its \"thickness\""));
+  EXPECT_THAT(refused(fmt::format("{{model: solid, thickness: 2 mm, spacing: 1 mm, {}}}", material)),
+              testing::AllOf(HasSubstr("vessel.wall: "), HasSubstr("four layers of particles or more")));
+  EXPECT_THAT(refused(fmt::format("{{model: solid, thickness: 8 mm, spacing: 1.5 mm, {}}}", material)),
+              HasSubstr("coarser than the fluid's"));
+}
+
+TEST_F(MovingWall, WhatASolidHasNot) {
+  EXPECT_THAT(refused(fmt::format("{{model: solid, thickness: 2 mm, prestress: {{pressure: 80 mmHg}}, {}}}",
+                                  material)),
+              HasSubstr("a solid wall has no \"prestress\"; remove the key, or write \"model: shell\""));
+  EXPECT_THAT(
+      refused(fmt::format("{{model: solid, thickness: 2 mm, support: {{spring: 1e7 Pa/m}}, {}}}", material)),
+      HasSubstr("a solid wall has no \"support\""));
+  EXPECT_THAT(refused(fmt::format("{{model: solid, thickness: 2 mm, ends: released, {}}}", material)),
+              HasSubstr("the ends of a solid wall are clamped"));
+  EXPECT_THAT(
+      refused("{model: solid, thickness: 2 mm, material: {law: holzapfel, E: 0.1 MPa, nu: 0.49, k1: 50 "
+              "kPa, k2: 10}}"),
+      HasSubstr("a solid wall has no fibres"));
+}
+
 TEST_F(MovingWall, ARigidWallHasNoThickness) {
   EXPECT_THAT(refused("{thickness: 1 mm}"),
               HasSubstr("a rigid wall has no \"thickness\"; write \"model: shell\""));

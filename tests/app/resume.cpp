@@ -136,6 +136,18 @@ TEST_F(Resume, AWallThatMovesGoesOnWithTheSameBytes) {
   expect_same_bytes({"ports.csv", "network.csv", "balance.csv"});
 }
 
+TEST_F(Resume, ASolidWallGoesOnWithTheSameBytes) {
+  const std::string spacing = "  spacing: 0.6 mm\n", yaml = channel;
+  const auto at = yaml.find(spacing) + spacing.size();
+  write("case.yaml", yaml.substr(0, at) +
+                         "  wall: {model: solid, thickness: 1.2 mm, material: {E: 5 MPa, nu: 0.45}, "
+                         "outside_pressure: 6 kPa}\n" +
+                         yaml.substr(at));
+  interrupt("--threads 2");
+  finish(0.05, 0.02);
+  expect_same_bytes({"ports.csv", "network.csv", "balance.csv"});
+}
+
 TEST_F(Resume, ANetworkAloneGoesOnWithTheSameBytes) {
   write("case.yaml", rcr);
   interrupt();

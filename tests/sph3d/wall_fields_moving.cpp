@@ -2,9 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "sph3d/fields/near_wall.hpp"
-#include "sph3d/fields/shell_fields.hpp"
+#include "sph3d/fields/structure_fields.hpp"
 #include "sph3d/fields/surface_map.hpp"
 #include "sph3d/fields/wall_loads.hpp"
+#include "sph3d/shell/recover.hpp"
 #include "wall_shells.hpp"
 
 namespace ostium::sph3d {
@@ -58,7 +59,7 @@ TEST(MovingWallFields, AWidenedTube) {
   }
 
   // plane strain along the axis, S = E / (1 - nu^2) (lambda^2 - 1) / 2 around, sigma = lambda^2 S / J; single particles scatter
-  const auto fields = shell_fields(vessel.wall()->shell(), vessel.state().wall.shell);
+  const auto fields = structure_fields(*vessel.wall(), vessel.state().wall);
   const double lambda = 1 + u / carotid.middle(), S = E / (1 - nu * nu) * (lambda * lambda - 1) / 2;
   double stress = 0, energy = 0, inner = 0, outer = 0;
   int n_points = 0;

@@ -126,7 +126,7 @@ void Vessel<D>::prepare(double dt, double acoustic_dt, PhaseSeconds& seconds) {
     const Stopwatch watch(seconds.walls);
     wall_->attach(state_.wall, state_.fluid);
   }
-  work_.mean_density = wall_ || !(model_->capacity > 0.0) ? 0.0 : content() / model_->capacity;
+  work_.mean_density = mean_density();
   prepare_step(*model_, state_.fluid, work_, dt, acoustic_dt, seconds);
 }
 
@@ -329,6 +329,15 @@ double Vessel<D>::content() const {
   double volume = static_cast<double>(state_.fluid.count()) * state_.fluid.volume;
   for (const auto& port : state_.ports) volume -= port.counted - port.deleted + port.inserted;
   return volume;
+}
+
+/// Over rho0, from how much blood is between the caps and how far the wall has given way; 0 where the first is not known.
+template <int D>
+double Vessel<D>::mean_density() const {
+  if (!(model_->capacity > 0.0)) return 0.0;
+  const double volume_at_start = model_->capacity / model_->rest_volume,
+               gained = wall_ ? wall_->volume_gained(*model_, state_.wall) : 0.0;
+  return content() / (model_->capacity * (1.0 + gained / volume_at_start));
 }
 
 template <int D>

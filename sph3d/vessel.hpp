@@ -79,6 +79,7 @@ class Vessel {
   std::size_t bytes() const;
 
  private:
+  double mean_density() const;
   double acoustic_time_step() const;
   std::pair<double, StepBound> time_step(double dt_limit) const;
   void prepare(double dt, double acoustic_dt, PhaseSeconds& seconds);

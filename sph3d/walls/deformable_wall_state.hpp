@@ -9,7 +9,7 @@ namespace ostium::sph3d {
 
 template <int D>
 struct DeformableWallState {
-  ShellState<D> shell;  ///< of the two bodies the one that the wall is made of; the other is empty
+  ShellState<D> shell = {};  ///< of the two bodies the one that the wall is made of; the other is empty
   SolidState<D> solid = {};
   std::vector<Vec<D>> velocity;  ///< of the contact points during the last acoustic step, m/s
   std::vector<Vec<D>> impact;    ///< force on them that the next kick brings, N

@@ -8,7 +8,7 @@ namespace ostium::sph3d {
 template <int D>
 SolidBody<D>::SolidBody(const WallCloud<D>& wall, const SolidOptions& options)
     : wall_(wall), model_(make_solid(wall.solid, options)) {
-  TractionPatch<D> traction{.particle = wall.inner.particle};
+  TractionPatch<D> traction{.particle = wall.inner.particle, .force = {}, .to_surface = {}};
   for (std::size_t k = 0; k < count(); ++k) {
     const std::int32_t a = wall.inner.particle[k];
     traction.to_surface.push_back(wall.contact[k] - wall.solid.position[a]);

@@ -42,7 +42,7 @@ class StudySession {
   }
 
   int go() {
-    const double start = saved_ ? saved_->state.time : 0.0;
+    const double start = start_time();
     Progress progress(
         {.start = start, .end = end_, .period = study_.time.period.value_or(0), .quiet = options_.quiet});
     try {
@@ -58,12 +58,15 @@ class StudySession {
   }
 
  private:
+  double start_time() const { return saved_ ? saved_->recorded.time : 0.0; }
+
   network::SimulateOptions simulation() const {
     return {.end = end_,
             .every = study_.output.every,
             .initial = study_.initial(),
             .period = study_.time.period.value_or(0),
-            .from = saved_ ? std::optional(saved_->state) : std::nullopt};
+            .from = saved_ ? std::optional(saved_->state) : std::nullopt,
+            .handed_out = start_time()};
   }
 
   network::Sink sink(Progress& progress) {
@@ -85,7 +88,7 @@ class StudySession {
                       Recorder::Names{{}, names}, saved_ ? std::optional(saved_->recorded) : std::nullopt);
     log::info("{}: {} blocks, {} series, to {:.4g} s", options_.case_name, model_.entries.size(),
               names.size(), end_);
-    if (saved_) log::info("the run goes on from {:.6g} s", saved_->state.time);
+    if (saved_) log::info("the run goes on from {:.6g} s", start_time());
   }
 
   void keep(const network::State& state) {

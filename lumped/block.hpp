@@ -80,6 +80,8 @@ class Block {
 
   /// True where the Jacobian depends neither on time nor on the unknowns.
   virtual bool linear() const = 0;
+  /// True where the equations do not read the time.
+  virtual bool autonomous() const = 0;
   /// m3/Pa, for the comparison with the compliance of the fluid.
   virtual double compliance() const = 0;
   /// s, times in (t0, t1) at which the block's data have a kink.

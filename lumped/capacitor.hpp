@@ -24,6 +24,7 @@ struct Capacitor : TwoTerminal {
   std::optional<double> ground;
 
   static constexpr const char* type = "capacitor";
+  static constexpr bool autonomous = true;
   static constexpr Nature nature = Nature::capacitive;
   static constexpr std::array unknowns{Unknown{"q", Quantity::flow, false},
                                        Unknown{"u", Quantity::pressure, true}};

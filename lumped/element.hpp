@@ -14,7 +14,7 @@
 /// Optional members, used where present: `branches()` (default: one branch of `nature` from terminal 0 to 1),
 /// `initial(y)` (default 0), `compliance()`, `kinks(t0, t1)`, `prescribed_flow(t)`, `needs_opening()`,
 /// `at_opening(area)`, `linear` (a constant or a function; default true) false for a block whose coefficients
-/// change, `present_unknowns()` where parameters decide which unknowns are differential, `prepare()` for what is
+/// change, `autonomous` true for a block whose equations do not read the time, `present_unknowns()` where parameters decide which unknowns are differential, `prepare()` for what is
 /// computed from the parameters once, and for a block with switches `guards(in)` and, where a switch resets
 /// more than itself, `reset(k, y)`. A block ties its own unknowns by as many equations; an algebraic unknown's
 /// derivative must not appear in them.
@@ -101,6 +101,12 @@ class BlockOf final : public Block {
       return B::linear;
     else
       return true;
+  }
+  bool autonomous() const override {
+    if constexpr (requires { B::autonomous; })
+      return B::autonomous;
+    else
+      return false;
   }
   double compliance() const override {
     if constexpr (requires { b_.compliance(); })

@@ -23,6 +23,7 @@ struct Inductor : TwoTerminal {
   std::optional<double> ground;
 
   static constexpr const char* type = "inductor";
+  static constexpr bool autonomous = true;
   static constexpr Nature nature = Nature::inductive;
   static constexpr std::array unknowns{Unknown{"q", Quantity::flow, true}};
 

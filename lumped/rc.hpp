@@ -30,6 +30,7 @@ struct Rc : TwoTerminal {
   std::optional<double> ground;
 
   static constexpr const char* type = "rc";
+  static constexpr bool autonomous = true;
   static constexpr std::array unknowns{Unknown{"q", Quantity::flow, false},
                                        Unknown{"q_out", Quantity::flow, false},
                                        Unknown{"u", Quantity::pressure, true}};

@@ -22,6 +22,7 @@ struct Resistor : TwoTerminal {
   std::optional<double> ground;
 
   static constexpr const char* type = "resistor";
+  static constexpr bool autonomous = true;
   static constexpr Nature nature = Nature::resistive;
   static constexpr std::array unknowns{Unknown{"q", Quantity::flow, false}};
 

@@ -27,6 +27,7 @@ struct SmoothValve : TwoTerminal {
   std::optional<double> ground;
 
   static constexpr const char* type = "smooth_valve";
+  static constexpr bool autonomous = true;
   static constexpr bool linear = false;
   static constexpr Nature nature = Nature::resistive;
   static constexpr std::array unknowns{Unknown{"q", Quantity::flow, false},

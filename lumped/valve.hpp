@@ -29,6 +29,7 @@ struct Valve : TwoTerminal {
   std::optional<double> R_closed, ground;
 
   static constexpr const char* type = "valve";
+  static constexpr bool autonomous = true;
   static constexpr bool linear = false;
   enum Own { q, open };
   static constexpr std::array unknowns{Unknown{"q", Quantity::flow, false},

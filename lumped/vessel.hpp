@@ -42,6 +42,7 @@ struct Vessel : TwoTerminal {
   bool fitted = false;
 
   static constexpr const char* type = "vessel";
+  static constexpr bool autonomous = true;
   static constexpr std::array unknowns{Unknown{"q", Quantity::flow, false},
                                        Unknown{"q_out", Quantity::flow, false},
                                        Unknown{"u", Quantity::pressure, false}};

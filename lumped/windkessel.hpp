@@ -34,6 +34,7 @@ struct Windkessel : TwoTerminal {
   std::optional<double> Pd, initial_pressure;
 
   static constexpr const char* type = "windkessel";
+  static constexpr bool autonomous = true;
   static constexpr std::array unknowns{Unknown{"q", Quantity::flow, false},
                                        Unknown{"Pc", Quantity::pressure, true}};
 

@@ -9,47 +9,46 @@ namespace ostium::network {
 
 Consistent::Consistent(const System& system)
     : system_(system),
-      matrix_(system.pattern()),
-      d_y_(matrix_.nonZeros()),
-      d_dy_(matrix_.nonZeros()),
+      lu_(system.size(), system.pattern().outerIndexPtr(), system.pattern().innerIndexPtr()),
+      d_y_(system.pattern().nonZeros()),
+      d_dy_(d_y_.size()),
+      matrix_(d_y_.size()),
       row_scale_(system.size()),
-      residual_(system.size()) {
-  lu_.analyzePattern(matrix_);
-}
+      residual_(system.size()) {}
 
 void Consistent::factorise(double t, const double* y, const double* dy) {
   if (factorised_ && system_.linear()) return;
   system_.jacobian(t, y, dy, d_y_.data(), d_dy_.data());
   row_scale_.setZero();
-  const int *start = matrix_.outerIndexPtr(), *row = matrix_.innerIndexPtr();
+  const int *start = system_.pattern().outerIndexPtr(), *row = system_.pattern().innerIndexPtr();
   for (int j = 0; j < system_.size(); ++j)
     for (int k = start[j]; k < start[j + 1]; ++k) {
       const double value = (system_.differential(j) ? d_dy_[k] : d_y_[k]) * system_.scale()[j];
-      matrix_.valuePtr()[k] = value;
+      matrix_[k] = value;
       row_scale_[row[k]] = std::max(row_scale_[row[k]], std::abs(value));
     }
   row_scale_ = row_scale_.unaryExpr([](double r) { return r > 0 ? r : 1.0; });
-  for (int k = 0; k < matrix_.nonZeros(); ++k) matrix_.valuePtr()[k] /= row_scale_[row[k]];
-  lu_.factorize(matrix_);
-  if (lu_.info() != Eigen::Success)
-    numerics_error("the network's algebraic equations cannot be solved at t = {} s: {}", t,
-                   lu_.lastErrorMessage());
+  for (std::size_t k = 0; k < matrix_.size(); ++k) matrix_[k] /= row_scale_[row[k]];
+  // pivots of earlier states forgotten: a restart has the same bits as a run that goes on
+  if (!lu_.factor(matrix_.data()))
+    numerics_error("the network's algebraic equations cannot be solved at t = {} s: their matrix is singular",
+                   t);
   factorised_ = true;
 }
 
-Eigen::VectorXd Consistent::solved(const Eigen::VectorXd& residual) const {
-  const Eigen::VectorXd scaled = residual.cwiseQuotient(row_scale_);
-  return lu_.solve(scaled);
+void Consistent::solve_scaled(Eigen::VectorXd& residual) const {
+  residual.array() /= row_scale_.array();
+  lu_.solve({residual.data(), static_cast<std::size_t>(residual.size())});
 }
 
 /// One Newton correction; returns its size in the unknowns' scales.
 double Consistent::correct(double t, std::span<const double> port_flow, double* y, double* dy) {
   factorise(t, y, dy);
   system_.residual(t, y, dy, port_flow, residual_.data());
-  const Eigen::VectorXd step = solved(residual_);
+  solve_scaled(residual_);
   for (int j = 0; j < system_.size(); ++j)
-    (system_.differential(j) ? dy : y)[j] -= step[j] * system_.scale()[j];
-  return step.lpNorm<Eigen::Infinity>();
+    (system_.differential(j) ? dy : y)[j] -= residual_[j] * system_.scale()[j];
+  return residual_.lpNorm<Eigen::Infinity>();
 }
 
 void Consistent::solve(double t, std::span<const double> port_flow, double* y, double* dy) {
@@ -130,10 +129,11 @@ Eigen::VectorXd Consistent::rates(double t, std::span<const double> port_flow, c
   system_.residual(t, y, dy, port_flow, now.data());
   system_.residual(t + step, y, dy, port_flow, then.data());
   Eigen::VectorXd f = (then - now) / step;
-  const int *start = matrix_.outerIndexPtr(), *row = matrix_.innerIndexPtr();
+  const int *start = system_.pattern().outerIndexPtr(), *row = system_.pattern().innerIndexPtr();
   for (int j : system_.differential_unknowns())
     for (int k = start[j]; k < start[j + 1]; ++k) f[row[k]] += d_y_[k] * dy[j];
-  Eigen::VectorXd rate = -solved(f).cwiseProduct(system_.scale());
+  solve_scaled(f);
+  Eigen::VectorXd rate = -f.cwiseProduct(system_.scale());
   for (int j : system_.differential_unknowns()) rate[j] = dy[j];
   return rate;
 }

@@ -7,11 +7,11 @@
 /// network. Throws NumericsError where it does not converge. Source: Brown, Hindmarsh & Petzold, SIAM J. Sci.
 /// Comput. 19 (1998) 1495. Not checked: index (StateSpace does).
 #pragma once
-#include <Eigen/SparseLU>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "network/sparse_lu.hpp"
 #include "network/system.hpp"
 
 namespace ostium::network {
@@ -34,7 +34,7 @@ class Consistent {
 
  private:
   void factorise(double t, const double* y, const double* dy);
-  Eigen::VectorXd solved(const Eigen::VectorXd& residual) const;
+  void solve_scaled(Eigen::VectorXd& residual) const;
   double correct(double t, std::span<const double> port_flow, double* y, double* dy);
   std::optional<int> misplaced(double t, std::span<const double> port_flow, const double* y, const double* dy,
                                const std::vector<int>& thrown);
@@ -46,9 +46,8 @@ class Consistent {
   static constexpr double guard_tolerance = 1e-6;  // of the scale of what the guard watches
 
   const System& system_;
-  Eigen::SparseMatrix<double> matrix_;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu_;
-  std::vector<double> d_y_, d_dy_;
+  SparseLu lu_;
+  std::vector<double> d_y_, d_dy_, matrix_;
   Eigen::VectorXd row_scale_, residual_;
   bool factorised_ = false;
 };

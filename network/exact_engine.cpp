@@ -1,17 +1,14 @@
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
+#include <unordered_map>
 
+#include "core/error.hpp"
 #include "network/engine.hpp"
+#include "network/sparse_lu.hpp"
 #include "network/state_space.hpp"
 
 namespace ostium::network {
-
-std::vector<double> Flows::at(double t) const {
-  std::vector<double> q(q0.size());
-  const double w = t1 > t0 ? (t - t0) / (t1 - t0) : 1.0;
-  for (size_t k = 0; k < q.size(); ++k) q[k] = (1 - w) * q0[k] + w * q1[k];
-  return q;
-}
 
 namespace {
 
@@ -31,20 +28,52 @@ Eigen::MatrixXd cubic(const Eigen::MatrixXd& samples) {
   return c;
 }
 
+/// 40 bits of the length decide: steps that differ by round-off share one exponential.
+double rounded(double h) {
+  int exponent = 0;
+  const double m = std::frexp(h, &exponent);
+  return std::ldexp(std::round(std::ldexp(m, 40)), exponent - 40);
+}
+
+/// G with dx/dt = G F(t, 0, 0; Q) at x = 0: rows of M^-1, states over their scales.
+Eigen::MatrixXd drive_matrix(const System& s) {
+  const std::vector<double> zero(s.size(), 0.0);
+  const int* start = s.pattern().outerIndexPtr();
+  std::vector<double> d_y(s.pattern().nonZeros()), d_dy(d_y.size());
+  s.jacobian(0, zero.data(), zero.data(), d_y.data(), d_dy.data());
+  for (int j = 0; j < s.size(); ++j)
+    for (int k = start[j]; k < start[j + 1]; ++k)
+      d_y[k] = (s.differential(j) ? d_dy[k] : d_y[k]) * s.scale()[j];
+  SparseLu lu(s.size(), start, s.pattern().innerIndexPtr());
+  OSTIUM_ASSERT(lu.factor(d_y.data()), "singular matrix of {} unknowns", s.size());
+  const auto& states = s.differential_unknowns();
+  Eigen::MatrixXd g(states.size(), s.size());
+  for (size_t i = 0; i < states.size(); ++i) {
+    Eigen::VectorXd row = Eigen::VectorXd::Unit(s.size(), states[i]);
+    lu.solve_transposed({row.data(), static_cast<size_t>(row.size())});
+    g.row(i) = -row;
+  }
+  return g;
+}
+
 class ExactEngine final : public Engine {
  public:
-  ExactEngine(const System& system, Consistent& consistent) : system_(system), consistent_(consistent) {
+  ExactEngine(const System& system, Consistent& consistent)
+      : system_(system), consistent_(consistent), forcing_(system.size()) {
     const std::vector<double> zero(system.size(), 0.0);
     A_ = linearise(system, 0, zero.data(), zero.data()).A;
+    G_ = drive_matrix(system);
   }
 
-  void advance(double a, double b, const Flows& flows, double* y, double*) override {
+  void advance(double a, double b, const Flows& flows, double* y, double* dy, Rows* rows) override {
     const auto& states = system_.differential_unknowns();
-    if (states.empty()) return;
     Eigen::VectorXd x(states.size());
     for (size_t i = 0; i < states.size(); ++i) x[i] = y[states[i]] / system_.scale()[states[i]];
-    step(a, b, flows, x, 0);
+    if (!states.empty()) step(a, b, flows, x, 0);
     for (size_t i = 0; i < states.size(); ++i) y[states[i]] = x[i] * system_.scale()[states[i]];
+    flows.at(b, flow_);
+    consistent_.settle(b, flow_, y, dy);
+    for (; rows && rows->due(b + time_tolerance(b, b)); ++rows->next) rows->take(rows->times[rows->next], y);
   }
 
  private:
@@ -58,7 +87,9 @@ class ExactEngine final : public Engine {
       step(a + 0.5 * h, b, flows, x, depth + 1);
       return;
     }
-    x = propagated(x, c * h, h);
+    const auto& phi = phi_of(h);
+    x = phi[0] * x;
+    for (int k = 0; k <= degree; ++k) x += phi[k + 1] * c.col(k) * h;
   }
 
   /// Whether the cubic is off between its samples. The places are irrational and not symmetric: a sine can hide from
@@ -75,30 +106,27 @@ class ExactEngine final : public Engine {
 
   /// dx/dt at x = 0: what sources and port flows do.
   Eigen::VectorXd drive(double t, const Flows& flows) {
-    std::vector<double> y(system_.size(), 0.0), dy(system_.size(), 0.0);
-    consistent_.solve(t, flows.at(t), y.data(), dy.data());
-    const auto& states = system_.differential_unknowns();
-    Eigen::VectorXd g(states.size());
-    for (size_t i = 0; i < states.size(); ++i) g[i] = dy[states[i]] / system_.scale()[states[i]];
-    return g;
+    flows.at(t, flow_);
+    system_.forcing(t, flow_, forcing_.data());
+    return G_ * forcing_;
   }
 
-  /// The exponential of the system joined with the chain 1, theta, theta^2/2, theta^3/6.
-  Eigen::VectorXd propagated(const Eigen::VectorXd& x, const Eigen::MatrixXd& c, double h) const {
-    const auto n = x.size();
-    Eigen::MatrixXd joined = Eigen::MatrixXd::Zero(n + degree + 1, n + degree + 1);
-    joined.topLeftCorner(n, n) = A_ * h;
-    joined.topRightCorner(n, degree + 1) = c;
-    for (int k = 1; k <= degree; ++k) joined(n + k, n + k - 1) = 1;
-    const Eigen::MatrixXd e = matrix_exponential(joined);
-    return e.topLeftCorner(n, n) * x + e.block(0, n, n, 1);
+  const std::array<Eigen::MatrixXd, 5>& phi_of(double h) {
+    constexpr size_t most = 1000;
+    h = rounded(h);
+    if (const auto known = phi_.find(h); known != phi_.end()) return known->second;
+    if (phi_.size() >= most) phi_.clear();
+    return phi_[h] = phi_functions(A_ * h);
   }
 
   static constexpr double tolerance = 1e-12;  // of the states' scales
   static constexpr int deepest = 16;
   const System& system_;
   Consistent& consistent_;
-  Eigen::MatrixXd A_;
+  Eigen::MatrixXd A_, G_;
+  Eigen::VectorXd forcing_;
+  std::vector<double> flow_;
+  std::unordered_map<double, std::array<Eigen::MatrixXd, 5>> phi_;
 };
 
 }  // namespace

@@ -25,6 +25,7 @@ class IdaEngine final : public Engine {
     y_ = N_VNew_Serial(system.size(), context_);
     dy_ = N_VNew_Serial(system.size(), context_);
     kinds_ = N_VNew_Serial(system.size(), context_);
+    row_ = N_VNew_Serial(system.size(), context_);
     tolerance_ = N_VNew_Serial(system.size(), context_);
     for (int i = 0; i < system.size(); ++i) {
       data(kinds_)[i] = system.differential(i) ? 1 : 0;
@@ -38,12 +39,14 @@ class IdaEngine final : public Engine {
     IDAFree(&ida_);
     SUNLinSolFree(solver_);
     SUNMatDestroy(matrix_);
-    for (N_Vector v : {y_, dy_, kinds_, tolerance_}) N_VDestroy(v);
+    for (N_Vector v : {y_, dy_, row_, kinds_, tolerance_}) N_VDestroy(v);
     SUNContext_Free(&context_);
   }
 
-  void advance(double a, double b, const Flows& flows, double* y, double* dy) override {
-    flows_ = &flows;
+  bool dense() const override { return true; }
+
+  void advance(double a, double b, const Flows& flows, double* y, double* dy, Rows* rows) override {
+    flows_ = &flows, rows_ = rows;
     const int n = system_.size();
     std::copy(y, y + n, data(y_));
     std::copy(dy, dy + n, data(dy_));
@@ -51,7 +54,10 @@ class IdaEngine final : public Engine {
       a = to_event(a, b);
       if (a < b) throw_switches(a, events);
     }
+    consistent_.settle(b, flows.at(b), data(y_), data(dy_));
     std::copy(data(y_), data(y_) + n, y);
+    std::copy(data(dy_), data(dy_) + n, dy);
+    for (; rows && rows->due(b); ++rows->next) rows->take(rows->times[rows->next], y);
   }
 
  private:
@@ -62,9 +68,9 @@ class IdaEngine final : public Engine {
     for (int failures = 0;; ++failures) {
       // so close to the end a step would be of the size of round-off
       if (b - a < 1e-13 * (std::abs(a) + std::abs(b))) return b;
-      begin(a, b);
+      start(a, b);
       double reached = a;
-      const int flag = IDASolve(ida_, b, &reached, y_, dy_, IDA_NORMAL);
+      const int flag = solve(b, reached);
       if (flag >= 0) return flag == IDA_ROOT_RETURN ? reached : b;
       if (flag != IDA_CONV_FAIL || reached == a || failures == most_failures) give_up(flag, reached);
       consistent_.settle(reached, flows_->at(reached), data(y_), data(dy_));
@@ -72,7 +78,21 @@ class IdaEngine final : public Engine {
     }
   }
 
-  void begin(double a, double b) {
+  /// To b or the first event; the rows on the way are taken from IDA's interpolant.
+  int solve(double b, double& reached) {
+    if (!rows_) return IDASolve(ida_, b, &reached, y_, dy_, IDA_NORMAL);
+    for (;;) {
+      const int flag = IDASolve(ida_, b, &reached, y_, dy_, IDA_ONE_STEP);
+      if (flag < 0) return flag;
+      for (; rows_->due(reached) && rows_->times[rows_->next] < b; ++rows_->next) {
+        check(IDAGetDky(ida_, rows_->times[rows_->next], 0, row_), "IDAGetDky");
+        rows_->take(rows_->times[rows_->next], data(row_));
+      }
+      if (flag == IDA_ROOT_RETURN || flag == IDA_TSTOP_RETURN || reached >= b) return flag;
+    }
+  }
+
+  void start(double a, double b) {
     check(IDAReInit(ida_, a, y_, dy_), "IDAReInit");
     // pivots of earlier intervals forgotten: a restart has the same bits as a run that goes on
     check(SUNLinSol_KLUReInit(solver_, matrix_, system_.pattern().nonZeros(), SUNKLU_REINIT_PARTIAL),
@@ -95,16 +115,11 @@ class IdaEngine final : public Engine {
     check(IDAGetRootInfo(ida_, found.data()), "IDAGetRootInfo");
     for (int k = 0; k < system_.switch_count(); ++k)
       if (found[k] != 0) {
-        if (events > 10000) refuse_chatter(t, k);
+        if (events > 10000) refuse_endless_switching(system_, t, k);
         system_.throw_switch(k, data(y_));
       }
     for (int& f : found) f = f != 0;
     consistent_.settle(t, flows_->at(t), data(y_), data(dy_), found);
-  }
-
-  [[noreturn]] void refuse_chatter(double t, int k) const {
-    numerics_error("the network stopped at t = {:.9g} s: {} opens and closes without end", t,
-                   system_.switch_name(k));
   }
 
   static double* data(N_Vector v) { return N_VGetArrayPointer(v); }
@@ -165,15 +180,7 @@ class IdaEngine final : public Engine {
         "the network stopped at t = {:.9g} s after {} steps, the last one of {:.3g} s ({}); {} holds the "
         "worst "
         "residual: look at the blocks there for parameters that are off by orders of magnitude",
-        reached, steps, step, name, worst(reached));
-  }
-
-  std::string worst(double t) const {
-    std::vector<double> f(system_.size());
-    system_.residual(t, data(y_), data(dy_), flows_->at(t), f.data());
-    const auto at =
-        std::max_element(f.begin(), f.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-    return system_.names()[at - f.begin()];
+        reached, steps, step, name, worst_equation(system_, reached, *flows_, data(y_), data(dy_)));
   }
 
   static constexpr int most_failures = 1000;
@@ -181,9 +188,10 @@ class IdaEngine final : public Engine {
   const System& system_;
   Consistent& consistent_;
   const Flows* flows_ = nullptr;
+  Rows* rows_ = nullptr;
   std::vector<double> d_y_, d_dy_;
   SUNContext context_ = nullptr;
-  N_Vector y_ = nullptr, dy_ = nullptr, kinds_ = nullptr, tolerance_ = nullptr;
+  N_Vector y_ = nullptr, dy_ = nullptr, row_ = nullptr, kinds_ = nullptr, tolerance_ = nullptr;
   SUNMatrix matrix_ = nullptr;
   SUNLinearSolver solver_ = nullptr;
   void* ida_ = nullptr;

@@ -1,17 +1,19 @@
 #include "network/march.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ostium::network {
 
 namespace {
 
-/// Times at which the integrator must stop: the kinks inside and the end.
-std::vector<double> stops(const System& system, double t0, double t1) {
-  std::vector<double> times;
-  const double least =
-      1e-12 * (std::abs(t1) + (t1 - t0));  // closer together they are one time, up to round-off
-  for (double t : system.kinks(t0, t1))
+/// Times at which the integrator must stop: the kinks inside, rows that it cannot interpolate, and the end.
+std::vector<double> stops(const System& system, double t0, double t1, std::span<const double> rows) {
+  std::vector<double> all = system.kinks(t0, t1), times;
+  all.insert(all.end(), rows.begin(), rows.end());
+  std::sort(all.begin(), all.end());
+  const double least = time_tolerance(t0, t1);  // closer together they are one time, up to round-off
+  for (double t : all)
     if (t - (times.empty() ? t0 : times.back()) > least && t1 - t > least) times.push_back(t);
   times.push_back(t1);
   return times;
@@ -19,23 +21,28 @@ std::vector<double> stops(const System& system, double t0, double t1) {
 
 }  // namespace
 
-void march(const System& system, Consistent& consistent, Engine& engine, const Flows& flows, State& s) {
+void march(const System& system, Consistent& consistent, Engine& engine, const Flows& flows, State& s,
+           Rows* rows) {
   consistent.settle(flows.t0, flows.at(flows.t0), s.y.data(), s.dy.data());
   s.time = flows.t0;
-  for (double t : stops(system, flows.t0, flows.t1)) {
-    engine.advance(s.time, t, flows, s.y.data(), s.dy.data());
-    consistent.settle(t, flows.at(t), s.y.data(), s.dy.data());
+  engine.begin(s.step);
+  const bool all_stop = rows && !engine.dense();
+  for (double t : stops(system, flows.t0, flows.t1, all_stop ? rows->times : std::span<const double>{})) {
+    engine.advance(s.time, t, flows, s.y.data(), s.dy.data(), rows);
     s.time = t;
   }
+  consistent.settle(flows.t1, flows.at(flows.t1), s.y.data(), s.dy.data());
+  s.step = engine.step();
 }
 
 std::unique_ptr<Engine> make_engine(const System& system, Consistent& consistent,
                                     const NetworkOptions& options) {
-  constexpr size_t few = 24;  // above it a matrix exponential per exchange costs more than IDA's steps
-  const bool wanted = options.method == Method::exact ||
-                      (options.method == Method::automatic && system.differential_unknowns().size() <= few);
-  if (wanted && system.linear()) return make_exact_engine(system, consistent);
-  return make_ida_engine(system, consistent, options.relative_tolerance);
+  constexpr size_t few = 24;  // above it a matrix exponential costs more than steps
+  const bool small = system.differential_unknowns().size() <= few;
+  const bool exact = options.method == Method::exact || (options.method == Method::automatic && small);
+  if (exact && system.linear()) return make_exact_engine(system, consistent);
+  if (options.method == Method::ida) return make_ida_engine(system, consistent, options.relative_tolerance);
+  return make_runge_kutta_engine(system, consistent, options.relative_tolerance);
 }
 
 }  // namespace ostium::network

@@ -5,9 +5,11 @@
 
 namespace ostium::network {
 
-/// From state.time = flows.t0 to flows.t1; the state is consistent at the end, whatever it was.
+/// From state.time = flows.t0 to flows.t1; the state is consistent at the end, whatever it was. What is handed out at
+/// `rows` is consistent too.
 /// Throws NumericsError where the integrator gives up; the state is then worthless.
-void march(const System& system, Consistent& consistent, Engine& engine, const Flows& flows, State& state);
+void march(const System& system, Consistent& consistent, Engine& engine, const Flows& flows, State& state,
+           Rows* rows = nullptr);
 
 /// The engine the options ask for.
 std::unique_ptr<Engine> make_engine(const System& system, Consistent& consistent,

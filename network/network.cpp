@@ -16,19 +16,17 @@ struct Network::Parts {
   System system;
   Consistent consistent{system};
   std::unique_ptr<Engine> engine;
-  std::optional<StateSpace> linear;                        // of a linear network
+  std::optional<StateSpace> linear;                        // the last one asked for
   std::optional<std::pair<double, Eigen::MatrixXd>> held;  // last dt and its response
 
   Parts(Model model, std::vector<Port> ports, const NetworkOptions& options)
       : system(std::move(model), std::move(ports)) {
-    const std::vector<double> zero(system.size(), 0.0);
-    const auto start = system.start();
-    linear = linearise(system, 0, start.data(), zero.data());
+    check_index(system);
     engine = make_engine(system, consistent, options);
-    if (!system.linear()) linear.reset();
   }
-  StateSpace state_space(const State& s) const {
-    return linear ? *linear : linearise(system, s.time, s.y.data(), s.dy.data());
+  const StateSpace& state_space(const State& s) {
+    if (!linear || !system.linear()) linear = linearise(system, s.time, s.y.data(), s.dy.data());
+    return *linear;
   }
 };
 
@@ -79,6 +77,16 @@ void Network::advance(double dt, std::span<const double> q0, std::span<const dou
   state_ = std::move(s);
 }
 
+void Network::advance_to(double end, std::span<const double> times,
+                         const std::function<void(double, std::span<const double>)>& take) {
+  OSTIUM_ASSERT(port_count() == 0, "{} ports without flows", port_count());
+  State s = state_;
+  const auto n = s.y.size();
+  Rows rows{times, [&](double t, const double* y) { take(t, {y, n}); }};
+  march(parts_->system, parts_->consistent, *parts_->engine, {s.time, end, {}, {}}, s, &rows);
+  state_ = std::move(s);
+}
+
 double Network::pressure(int port) const {
   const int node = parts_->system.graph().port_node[port];
   return node == outside ? 0.0 : state_.y[node];
@@ -103,7 +111,7 @@ double Network::flow_into_vessel(int port, double t) const {
 Eigen::MatrixXd Network::port_resistance(double dt) const {
   if (!linear()) return held_flow_response(parts_->state_space(state_), dt);
   auto& held = parts_->held;
-  if (!held || held->first != dt) held = {dt, held_flow_response(*parts_->linear, dt)};
+  if (!held || held->first != dt) held = {dt, held_flow_response(parts_->state_space(state_), dt)};
   return held->second;
 }
 
@@ -125,6 +133,7 @@ void archive(Archive& a, State& state) {
   a("y", state.y);
   a("dy", state.dy);
   a("port_flow", state.port_flow);
+  a("step", state.step);
 }
 
 State Network::save() const { return state_; }

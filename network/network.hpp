@@ -6,13 +6,14 @@
 ///   P_k   Pa       pressure of port k
 ///   R_kl  Pa.s/m3  dP_k/dQ_l
 ///
-/// Integrated by SUNDIALS IDA with a sparse direct solver and the exact Jacobian of the blocks, small linear
-/// networks by the matrix exponential; kinks of the sources are exact stop times.
-/// Source: Hindmarsh et al., ACM TOMS 31 (2005) 363; port linearisation: docs/theory/coupling.md.
+/// Integrated by implicit Runge-Kutta steps with a sparse direct solver and the exact Jacobian of the blocks, small
+/// linear networks by the matrix exponential; kinks of the sources are exact stop times.
+/// Source: network/engine; port linearisation: docs/theory/coupling.md.
 /// Not checked: that the exchanges resolve the port flows, which go linearly from one to the next.
 #pragma once
 #include <Eigen/Core>
 #include <complex>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -32,18 +33,21 @@ struct State {
   double time = 0;                // s
   std::vector<double> y, dy;      // unknowns and their rates, SI, in the order of the series
   std::vector<double> port_flow;  // last flow of each port, m3/s
+  double step = 0;                // s, length of the integrator's next step; 0: of its own choice
 };
 
 /// The state as named arrays, see core/archive.
 void archive(Archive& a, State& state);
 
-/// `exact`: matrix exponential, for linear networks; `ida`: BDF of variable order; `automatic`: exact where
-/// the network is linear and has at most some dozens of states, else ida.
-enum class Method { automatic, exact, ida };
+/// `exact`: matrix exponential, for linear networks; `runge_kutta`: implicit steps of order 3 or 4, each factored once,
+/// constant matrices once per length of step; `ida`: BDF of variable order; `automatic`: exact where the network is linear
+/// and has at most two dozen states, else runge_kutta.
+enum class Method { automatic, exact, runge_kutta, ida };
 
 struct NetworkOptions {
   Method method = Method::automatic;
-  double relative_tolerance = 1e-8;  // of ida, with absolute ones of the same fraction of 100 mmHg, 100 mL/s
+  /// Of each step, with absolute ones of the same fraction of 100 mmHg, 100 mL/s. Exact needs none.
+  double relative_tolerance = 1e-8;
 };
 
 class Network {
@@ -66,6 +70,11 @@ class Network {
   /// One exchange: from time() to time() + dt while the port flows go linearly from q0 to q1 (m3/s, one per
   /// port; those of flow ports are ignored). Throws NumericsError where the integrator gives up.
   void advance(double dt, std::span<const double> q0, std::span<const double> q1);
+
+  /// Alone, without ports, to `end`; `take` is given the series at `times`, increasing, from behind time() to `end`.
+  /// The integrator's steps do not depend on them. Throws NumericsError; the state is then the one before.
+  void advance_to(double end, std::span<const double> times,
+                  const std::function<void(double time, std::span<const double> values)>& take);
 
   double time() const;
   /// Pa, at time(), for the last flow. 0 for a flow port, whose pressure is the vessel's affair.

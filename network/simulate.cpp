@@ -16,16 +16,22 @@ void check(const SimulateOptions& o) {
   if (!(o.every > 0)) user_error("the time between two outputs must be > 0 s, found {} s", o.every);
 }
 
-/// The output times one after the other, each a product, not a sum: the hundred-thousandth is as exact as the first.
+/// Output times, each a product, not a sum: the hundred-thousandth is as exact as the first.
 class OutputTimes {
  public:
   OutputTimes(const SimulateOptions& o, double after)
       : every_(o.every),
         end_(o.end),
         next_(static_cast<long>(std::floor(after / o.every * (1 + 1e-9))) + 1) {}
-  double next() {
-    const double t = static_cast<double>(next_++) * every_;
-    return t < end_ * (1 - 1e-9) ? t : end_;
+  /// The next ones, up to the end of a stretch whose length does not depend on where the run began.
+  std::vector<double> stretch() {
+    constexpr long rows = 128;
+    std::vector<double> times;
+    do {
+      const double t = static_cast<double>(next_++) * every_;
+      times.push_back(t < end_ * (1 - 1e-9) ? t : end_);
+    } while (times.back() < end_ && (next_ - 1) % rows != 0);
+    return times;
   }
 
  private:
@@ -33,18 +39,9 @@ class OutputTimes {
   long next_;
 };
 
-void advance(Network& network, double t, const Sink& sink) {
-  try {
-    network.advance(t - network.time(), {}, {});
-  } catch (const NumericsError&) {
-    if (sink.keep) sink.keep(network.save());
-    throw;
-  }
-}
-
 /// The network at the start, or where it goes on.
 Network begin(const Model& model, const SimulateOptions& o) {
-  Network network(model);
+  Network network(model, {}, {.relative_tolerance = o.relative_tolerance});
   if (o.from)
     network.load(*o.from);
   else if (o.initial == Initial::periodic)
@@ -52,25 +49,47 @@ Network begin(const Model& model, const SimulateOptions& o) {
   return network;
 }
 
+/// Hands out rows until the sink wants no more; from then on, and up to what it has already, nothing.
+class Handing {
+ public:
+  Handing(const SimulateOptions& o, const Sink& sink)
+      : after_(o.from ? std::max(o.handed_out, o.from->time) * (1 + 1e-12) : -1), sink_(sink) {}
+  void operator()(double t, std::span<const double> values) {
+    if (t > after_) on_ = on_ && sink_.row(t, values);
+  }
+  bool on() const { return on_; }
+
+ private:
+  double after_;
+  const Sink& sink_;
+  bool on_ = true;
+};
+
 }  // namespace
 
 void simulate(const Model& model, const SimulateOptions& options, const Sink& sink) {
   check(options);
   Network network = begin(model, options);
-  std::vector<double> values(network.series_names().size());
-  const auto row = [&](double t) {
-    network.series(values);
-    const bool on = sink.row(t, values);
-    if (!on && sink.keep) sink.keep(network.save());
-    return on;
-  };
+  Handing row(options, sink);
   sink.begin(network.series_names());
-  if (!options.from && !row(0.0)) return;
+  std::vector<double> values(network.series_names().size());
+  network.series(values);
+  row(network.time(), values);
+  if (!row.on() && sink.keep) sink.keep(network.save());
   OutputTimes times(options, network.time());
-  for (double t = network.time(); t < options.end * (1 - 1e-12);) {
-    t = times.next();
-    advance(network, t, sink);
-    if (!row(t)) return;
+  while (row.on() && network.time() < options.end * (1 - 1e-12)) {
+    const auto stretch = times.stretch();
+    const State before = network.save();
+    const auto keep = [&] {
+      if (sink.keep) sink.keep(before);
+    };
+    try {
+      network.advance_to(stretch.back(), stretch, std::ref(row));
+    } catch (const NumericsError&) {
+      keep();
+      throw;
+    }
+    if (!row.on()) keep();
   }
 }
 

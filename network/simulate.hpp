@@ -22,12 +22,15 @@ struct SimulateOptions {
   double every = 0.01;  // s between outputs; the end is always among them
   Initial initial = Initial::rest;
   double period = 0.0;             // s, needed for Initial::periodic
-  std::optional<State> from = {};  // goes on after this state, whose row is not handed out again
+  std::optional<State> from = {};  // goes on from this state, whose row is not handed out again ..
+  double handed_out = 0;           // s, .. nor those up to this time
+  /// Of each step, see NetworkOptions: series are then right to some tenths of a per mille.
+  double relative_tolerance = 1e-6;
 };
 
 /// `begin(names)` once, then `row(t, values)` at t = 0, every, 2 every, .. end, then nothing. row returns
-/// false to stop early. `keep` is given the last sound state of a run that ends before its time: stopped by row, or
-/// failing.
+/// false to stop early. `keep` is given a state from which a run that ends before its time, stopped by row or failing,
+/// goes on with the same bits: it lies a few dozen rows back.
 struct Sink {
   std::function<void(const std::vector<std::string>& names)> begin;
   std::function<bool(double time, std::span<const double> values)> row;

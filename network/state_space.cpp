@@ -1,10 +1,12 @@
 #include "network/state_space.hpp"
 
 #include <Eigen/LU>
+#include <cmath>
 #include <complex>
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "core/error.hpp"
+#include "network/sparse_lu.hpp"
 
 namespace ostium::network {
 
@@ -75,6 +77,21 @@ Eigen::MatrixXd pressure_rows(const System& s, const Matrix& m) {
 
 }  // namespace
 
+void check_index(const System& s) {
+  const std::vector<double> zero(s.size(), 0.0);
+  const Eigen::VectorXd start = s.start();
+  const int *column = s.pattern().outerIndexPtr(), *row = s.pattern().innerIndexPtr();
+  std::vector<double> d_y(s.pattern().nonZeros()), d_dy(d_y.size());
+  s.jacobian(0, start.data(), zero.data(), d_y.data(), d_dy.data());
+  for (int j = 0; j < s.size(); ++j)
+    for (int k = column[j]; k < column[j + 1]; ++k)
+      d_y[k] = (s.differential(j) ? d_dy[k] : d_y[k]) * s.scale()[j];
+  constexpr double sound = 1e-12;
+  SparseLu lu(s.size(), column, row);
+  if (lu.factor(d_y.data()) && lu.pivot_ratio() > sound) return;
+  linearise(s, 0, start.data(), zero.data());  // full pivoting decides, and names the unknowns
+}
+
 StateSpace linearise(const System& s, double t, const double* y, const double* dy) {
   const Parts p = parts(s, t, y, dy);
   Eigen::FullPivLU<Eigen::MatrixXd> lu(p.M);
@@ -89,6 +106,30 @@ StateSpace linearise(const System& s, double t, const double* y, const double* d
 Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& m) {
   if (m.rows() == 0) return m;
   return m.exp();
+}
+
+std::array<Eigen::MatrixXd, 5> phi_functions(const Eigen::MatrixXd& m) {
+  constexpr int terms = 14, last = 4;
+  const auto n = m.rows();
+  const double size = m.size() ? m.cwiseAbs().rowwise().sum().maxCoeff() : 0;
+  const int squarings = size > 0.5 ? static_cast<int>(std::ceil(std::log2(size / 0.5))) : 0;
+  const Eigen::MatrixXd z = std::ldexp(1.0, -squarings) * m, one = Eigen::MatrixXd::Identity(n, n);
+  constexpr std::array inverse_factorial{1.0, 1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24};
+  std::array<Eigen::MatrixXd, 5> phi;
+  phi[last] = one;  // sum z^j 4!/(j+4)! by Horner's rule, then over 4!
+  for (int j = terms; j > 0; --j) phi[last] = one + z * phi[last] / (j + last);
+  phi[last] *= inverse_factorial[last];
+  for (int k = last; k-- > 0;) phi[k] = z * phi[k + 1] + inverse_factorial[k] * one;
+  for (int i = 0; i < squarings; ++i) {
+    auto twice = phi;
+    for (int k = 0; k <= last; ++k) {
+      twice[k] = phi[0] * phi[k];
+      for (int j = 1; j <= k; ++j) twice[k] += inverse_factorial[k - j] * phi[j];
+      twice[k] *= std::ldexp(1.0, -k);
+    }
+    phi = std::move(twice);
+  }
+  return phi;
 }
 
 Eigen::MatrixXd held_flow_response(const StateSpace& s, double dt) {

@@ -13,6 +13,7 @@
 /// Not checked: that the state is consistent.
 #pragma once
 #include <Eigen/Core>
+#include <array>
 
 #include "network/system.hpp"
 
@@ -25,9 +26,17 @@ struct StateSpace {
 /// Throws UserError where the equations are of higher index or have no unique solution.
 StateSpace linearise(const System& system, double t, const double* y, const double* dy);
 
+/// The same refusal about the start, without the matrices: cheap for large networks.
+void check_index(const System& system);
+
 Eigen::MatrixXd held_flow_response(const StateSpace& s, double dt);
 Eigen::MatrixXcd frequency_response(const StateSpace& s, double omega);
 Eigen::MatrixXd transition(const StateSpace& s, double dt);
+
+/// phi_0 = e^M and phi_k = int_0^1 e^{(1-s)M} s^(k-1)/(k-1)! ds for k = 1 .. 4: from x to e^M x + sum phi_(k+1) c_k where
+/// dx/ds = M x + sum c_k s^k/k!. Source: Hochbruck & Ostermann, Acta Numer. 19 (2010) 209; Skaflestad & Wright, Appl.
+/// Numer. Math. 59 (2009) 783 (scaling and squaring).
+std::array<Eigen::MatrixXd, 5> phi_functions(const Eigen::MatrixXd& m);
 
 /// e^M.
 Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& m);

@@ -36,6 +36,7 @@ System::System(Model model, std::vector<Port> ports, Junction junction)
   name_unknowns();
   place_blocks();
   make_pattern();
+  prepare_linear_part();
 }
 
 void System::name_unknowns() {
@@ -58,7 +59,16 @@ void System::place_blocks() {
   int own = node_count();
   for (size_t i = 0; i < model_.entries.size(); ++i) {
     const auto& b = *model_.entries[i].block;
-    Placed p{.block = &b, .own = own, .node = graph_.node_of[i], .row = {}, .slots = {}};
+    Placed p{.block = &b,
+             .own = own,
+             .linear = b.linear(),
+             .autonomous = b.autonomous(),
+             .switches = b.switch_count(),
+             .node = graph_.node_of[i],
+             .ground = {},
+             .row = {},
+             .slots = {}};
+    for (const auto& end : b.terminals()) p.ground.push_back(end.ground);
     for (int k = 0; k < b.unknown_count(); ++k) p.row.push_back(own + k);
     for (int k = 0, n = 0; k < b.unknown_count(); ++k)
       if (b.unknowns()[k].is_switch) switches_.push_back({static_cast<int>(i), n++, own + k});
@@ -94,52 +104,76 @@ void System::make_pattern() {
   });
 }
 
-void System::gather(const Placed& p, const double* y, const double* dy, std::vector<double>& x) const {
-  const auto& terminals = p.block->terminals();
-  x.clear();
-  for (size_t k = 0; k < terminals.size(); ++k)
-    x.push_back(p.node[k] == outside ? terminals[k].ground : y[p.node[k]]);
-  const int n = p.block->unknown_count();
-  x.insert(x.end(), y + p.own, y + p.own + n);
-  x.insert(x.end(), dy + p.own, dy + p.own + n);
+/// What does not change is computed once; a nonlinear block's place is left empty.
+void System::prepare_linear_part() {
+  std::size_t inputs = 0, outputs = 0;
+  for (const auto& p : placed_) {
+    inputs = std::max<std::size_t>(inputs, p.block->input_count());
+    outputs = std::max<std::size_t>(outputs, p.block->equation_count());
+  }
+  x_.resize(inputs), out_.resize(inputs * outputs);
+  linear_d_y_.assign(pattern_.nonZeros(), 0.0), linear_d_dy_ = linear_d_y_;
+  constant_forcing_.assign(size(), 0.0);
+  zero_.assign(size(), 0.0);
+  for (const auto& p : placed_) {
+    const double* x = gather(p, zero_.data(), zero_.data());
+    if (p.linear) add_jacobian(p, 0, x, linear_d_y_.data(), linear_d_dy_.data());
+    if (p.autonomous) add_residual(p, 0, x, constant_forcing_.data());
+  }
 }
 
-void System::residual(double t, const double* y, const double* dy, std::span<const double> port_flow,
-                      double* f) const {
-  std::fill(f, f + size(), 0.0);
-  std::vector<double> x, out;
-  for (const auto& p : placed_) {
-    gather(p, y, dy, x);
-    out.resize(p.block->equation_count());
-    p.block->residual(t, x.data(), out.data());
-    for (size_t e = 0; e < out.size(); ++e)
-      if (p.row[e] != outside) f[p.row[e]] += out[e];
-  }
+const double* System::gather(const Placed& p, const double* y, const double* dy) const {
+  double* x = x_.data();
+  for (size_t k = 0; k < p.node.size(); ++k) *x++ = p.node[k] == outside ? p.ground[k] : y[p.node[k]];
+  const int n = static_cast<int>(p.row.size() - p.node.size());
+  x = std::copy(y + p.own, y + p.own + n, x);
+  std::copy(dy + p.own, dy + p.own + n, x);
+  return x_.data();
+}
+
+void System::add_residual(const Placed& p, double t, const double* x, double* f) const {
+  p.block->residual(t, x, out_.data());
+  for (size_t e = 0; e < p.row.size(); ++e)
+    if (p.row[e] != outside) f[p.row[e]] += out_[e];
+}
+
+void System::add_jacobian(const Placed& p, double t, const double* x, double* d_y, double* d_dy) const {
+  p.block->jacobian(t, x, out_.data());
+  for (const auto& s : p.slots) (s.part ? d_dy : d_y)[s.to] += out_[s.from];
+}
+
+void System::subtract_port_flows(std::span<const double> port_flow, double* f) const {
   if (graph_.junction == Junction::merged) return;
   for (size_t k = 0; k < graph_.port_node.size(); ++k)
     if (graph_.port_node[k] != outside) f[graph_.port_node[k]] -= port_flow[k];
 }
 
+void System::residual(double t, const double* y, const double* dy, std::span<const double> port_flow,
+                      double* f) const {
+  std::fill(f, f + size(), 0.0);
+  for (const auto& p : placed_) add_residual(p, t, gather(p, y, dy), f);
+  subtract_port_flows(port_flow, f);
+}
+
+void System::forcing(double t, std::span<const double> port_flow, double* f) const {
+  std::copy(constant_forcing_.begin(), constant_forcing_.end(), f);
+  for (const auto& p : placed_)
+    if (!p.autonomous) add_residual(p, t, gather(p, zero_.data(), zero_.data()), f);
+  subtract_port_flows(port_flow, f);
+}
+
 void System::jacobian(double t, const double* y, const double* dy, double* d_y, double* d_dy) const {
-  std::fill(d_y, d_y + pattern_.nonZeros(), 0.0);
-  std::fill(d_dy, d_dy + pattern_.nonZeros(), 0.0);
-  std::vector<double> x, local;
-  for (const auto& p : placed_) {
-    gather(p, y, dy, x);
-    local.resize(p.block->equation_count() * p.block->input_count());
-    p.block->jacobian(t, x.data(), local.data());
-    for (const auto& s : p.slots) (s.part ? d_dy : d_y)[s.to] += local[s.from];
-  }
+  std::copy(linear_d_y_.begin(), linear_d_y_.end(), d_y);
+  std::copy(linear_d_dy_.begin(), linear_d_dy_.end(), d_dy);
+  for (const auto& p : placed_)
+    if (!p.linear) add_jacobian(p, t, gather(p, y, dy), d_y, d_dy);
 }
 
 void System::guards(double t, const double* y, const double* dy, double* g) const {
-  std::vector<double> x;
   for (const auto& p : placed_) {
-    const int n = p.block->switch_count();
-    if (n == 0) continue;
-    gather(p, y, dy, x);
-    p.block->guards(t, x.data(), g);
-    g += n;
+    if (p.switches == 0) continue;
+    p.block->guards(t, gather(p, y, dy), g);
+    g += p.switches;
   }
 }
 
@@ -175,14 +209,11 @@ double System::compliance() const {
 
 double System::flow_through_opening(int port, double t, const double* y, const double* dy) const {
   double sum = 0;
-  std::vector<double> x, out;
   for (size_t i = 0; i < placed_.size(); ++i) {
     const auto& p = placed_[i];
-    gather(p, y, dy, x);
-    out.resize(p.block->equation_count());
-    p.block->residual(t, x.data(), out.data());
+    p.block->residual(t, gather(p, y, dy), out_.data());
     for (size_t k = 0; k < p.node.size(); ++k)
-      if (graph_.port_of[i][k] == port) sum += out[p.block->unknown_count() + k];
+      if (graph_.port_of[i][k] == port) sum += out_[p.block->unknown_count() + k];
   }
   return sum;
 }

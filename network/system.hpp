@@ -7,7 +7,8 @@
 ///   J                  dF/dy + c_j dF/d(dy/dt), one sparsity pattern for both parts
 ///
 /// Unknowns are SI; `scale` gives the size at which each matters (100 mmHg, 100 mL/s, 100 mL).
-/// Not checked: the graph (network/graph does).
+/// One thread at a time may ask a System: it keeps memory between calls. Not checked: the graph (network/graph
+/// does).
 #pragma once
 #include <Eigen/SparseCore>
 #include <span>
@@ -36,6 +37,9 @@ class System {
   /// port_flow: one per port, entries of flow ports are ignored.
   void residual(double t, const double* y, const double* dy, std::span<const double> port_flow,
                 double* f) const;
+
+  /// The residual at y = 0, dy/dt = 0: what drives a linear network.
+  void forcing(double t, std::span<const double> port_flow, double* f) const;
 
   int switch_count() const { return static_cast<int>(switches_.size()); }
   bool on(int k, const double* y) const { return y[switches_[k].unknown] > 0.5; }
@@ -66,9 +70,12 @@ class System {
   };
   struct Placed {
     const lumped::Block* block;
-    int own;                // index of its first own unknown
+    int own;  // index of its first own unknown
+    bool linear, autonomous;
+    int switches;
     std::vector<int> node;  // per terminal
-    std::vector<int> row;   // per equation, outside where dropped
+    std::vector<double> ground;
+    std::vector<int> row;  // per equation, outside where dropped
     std::vector<Slot> slots;
   };
 
@@ -79,7 +86,11 @@ class System {
   void name_unknowns();
   void place_blocks();
   void make_pattern();
-  void gather(const Placed& p, const double* y, const double* dy, std::vector<double>& x) const;
+  void prepare_linear_part();
+  const double* gather(const Placed& p, const double* y, const double* dy) const;
+  void add_residual(const Placed& p, double t, const double* x, double* f) const;
+  void add_jacobian(const Placed& p, double t, const double* x, double* d_y, double* d_dy) const;
+  void subtract_port_flows(std::span<const double> port_flow, double* f) const;
   int column(const Placed& p, int input) const;
 
   Model model_;
@@ -93,6 +104,9 @@ class System {
   Eigen::VectorXd scale_;
   Eigen::SparseMatrix<double> pattern_;
   bool linear_ = true;
+  /// Of the blocks whose Jacobian is constant, and of those that do not read the time.
+  std::vector<double> linear_d_y_, linear_d_dy_, constant_forcing_, zero_;
+  mutable std::vector<double> x_, out_;  // of one block, kept for their memory
 };
 
 }  // namespace ostium::network

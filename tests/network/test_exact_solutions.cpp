@@ -29,8 +29,12 @@ double fourier_pressure(double t) {
 }
 
 class Exact : public testing::TestWithParam<Method> {};
-INSTANTIATE_TEST_SUITE_P(Engines, Exact, testing::Values(Method::exact, Method::ida),
-                         [](const auto& i) { return i.param == Method::exact ? "exponential" : "ida"; });
+INSTANTIATE_TEST_SUITE_P(Engines, Exact, testing::Values(Method::exact, Method::runge_kutta, Method::ida),
+                         [](const auto& i) {
+                           return i.param == Method::exact ? "exponential"
+                                  : i.param == Method::ida ? "ida"
+                                                           : "runge_kutta";
+                         });
 
 double relative_tolerance() { return Exact::GetParam() == Method::exact ? 1e-10 : 1e-6; }
 

@@ -67,7 +67,7 @@ const std::vector<Port> three{{"DAo", 3e-4}, {"BCA", 1e-4}, {"LSA", 1e-4}};
 
 /// What the linearisation promises is what two runs, apart by a flow held over dt, show.
 TEST(Ports, ResistanceOfANetworkIsWhatTwoRunsShow) {
-  for (auto method : {Method::exact, Method::ida}) {
+  for (auto method : {Method::exact, Method::runge_kutta, Method::ida}) {
     Network n(model(joined), three, with(method));
     const State before = n.save();
     const double dt = 0.03, dq = 1e-5;
@@ -102,7 +102,7 @@ TEST(Ports, SlopeIsTheDriftForHeldFlow) {
 }
 
 TEST(Ports, SaveAndLoadAreExact) {
-  for (auto method : {Method::exact, Method::ida}) {
+  for (auto method : {Method::exact, Method::runge_kutta, Method::ida}) {
     const std::vector<double> a{20e-6, 30e-6, -5e-6}, b{-7e-6, 9e-6, 3e-6};
     Network n(model(joined), three, with(method));
     n.advance(0.011, a, b);

@@ -1,0 +1,43 @@
+/// Sparse LU of matrices that share one pattern: ordered once, factored with pivoting, then refactored with its pivots.
+///
+///   P A Q = L U,   A in compressed columns
+///
+/// `refactor` keeps the pivots where they still serve (no pivot lost more than ten digits against the others) and
+/// chooses new ones where they do not. Source: Davis & Palamadai Natarajan, ACM TOMS 37 (2010) 36: KLU. Not checked:
+/// the condition of A, beyond a pivot that vanishes.
+#pragma once
+#include <klu.h>
+
+#include <memory>
+#include <span>
+
+namespace ostium::network {
+
+class SparseLu {
+ public:
+  /// start: n + 1 offsets of the columns, row: row of each entry. Both must outlive this object.
+  SparseLu(int n, const int* start, const int* row);
+  /// Another matrix of the same pattern, in the same order; nothing factored yet.
+  explicit SparseLu(const SparseLu& pattern);
+  SparseLu& operator=(const SparseLu&) = delete;
+  ~SparseLu();
+
+  /// False: the matrix is singular, and nothing may be solved.
+  bool factor(const double* values);
+  bool refactor(const double* values);
+  /// b: right-hand side in, solution out.
+  void solve(std::span<double> b) const;
+  /// The same for the transposed matrix.
+  void solve_transposed(std::span<double> b) const;
+  /// Smallest pivot over the largest.
+  double pivot_ratio();
+
+ private:
+  int n_;
+  const int *start_, *row_;
+  mutable klu_common common_{};
+  std::shared_ptr<klu_symbolic> symbolic_;
+  klu_numeric* numeric_ = nullptr;
+};
+
+}  // namespace ostium::network

@@ -1,5 +1,9 @@
 #include "app/case.hpp"
 
+#include <utility>
+
+#include "network/subnetwork.hpp"
+
 namespace ostium::app {
 
 network::Initial Case::initial() const {
@@ -29,7 +33,8 @@ Case read_case(const std::filesystem::path& file, const Overrides& overrides) {
   if (overrides.surface)
     node = node.with_value("vessel.surface", config::to_yaml(config::write_path(*overrides.surface)));
   for (const auto& [path, value] : overrides.values) node = node.with_value(path, value);
-  const Case study = config::read<Case>(node);
+  Case study = config::read<Case>(node);
+  study.network.blocks = network::expand(study.network.blocks, std::exchange(study.network.subnetworks, {}));
   if (study.network.initial == network::Initial::periodic && !study.time.period)
     study.origin.at("network").at("initial").error(
         "a start from the periodic state needs \"time.period\"; add it, or choose \"rest\"");

@@ -46,7 +46,8 @@ struct FluidCase {
 };
 
 struct NetworkCase {
-  config::Node blocks;
+  config::Node blocks;  // without uses of subnetworks: read_case has replaced them
+  std::optional<config::Node> subnetworks;
   std::optional<network::Initial> initial;
 };
 

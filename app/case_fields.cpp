@@ -89,6 +89,9 @@ void declare(config::Fields<FluidCase>& f) {
 
 void declare(config::Fields<NetworkCase>& f) {
   f.raw("blocks", &NetworkCase::blocks, "the elements of the network by name, see the page of the blocks");
+  f.raw(
+      "subnetworks", &NetworkCase::subnetworks,
+      "parts of the network defined once and used as blocks by their names, see the page of the subnetworks");
   f.choice("initial", &NetworkCase::initial,
            {{"periodic", network::Initial::periodic}, {"rest", network::Initial::rest}},
            "start from the periodic state of the network or from rest; without it periodic where "

@@ -72,6 +72,7 @@ class Session {
     for (const auto& port : setup.ports) names.ports.push_back(port.opening);
     const network::Network network(setup.model, setup.ports);
     names.series = network.series_names();
+    names.elements = elements_of(setup.model);
     return names;
   }
 

@@ -6,6 +6,7 @@
 #include "lumped/elastance_chamber.hpp"
 #include "lumped/exponential_chamber.hpp"
 #include "lumped/flow_source.hpp"
+#include "lumped/impedance.hpp"
 #include "lumped/inductor.hpp"
 #include "lumped/orifice_valve.hpp"
 #include "lumped/pressure_source.hpp"
@@ -13,6 +14,7 @@
 #include "lumped/resistor.hpp"
 #include "lumped/smooth_valve.hpp"
 #include "lumped/sphere_chamber.hpp"
+#include "lumped/structured_tree.hpp"
 #include "lumped/valve.hpp"
 #include "lumped/vessel.hpp"
 #include "lumped/windkessel.hpp"
@@ -68,6 +70,8 @@ const std::vector<BlockType>& block_types() {
       entry<Vessel>(),
       entry<Rc>(),
       entry<Windkessel>(),
+      entry<StructuredTree>(),
+      entry<Impedance>(),
       entry<Coronary>(),
       entry<ElastanceChamber>(),
       entry<ExponentialChamber>(),

@@ -1,6 +1,7 @@
 #include "network/model.hpp"
 
 #include "lumped/registry.hpp"
+#include "network/subnetwork.hpp"
 
 namespace ostium::network {
 
@@ -10,7 +11,7 @@ Model read_model(const config::Node& blocks) {
     blocks.error(
         "a network needs at least one block; write for example "
         "`dao: {{type: resistor, from: DAo, ground: 0 mmHg, R: 1e8 Pa.s/m3}}`");
-  for (const auto& [name, node] : blocks.entries())
+  for (const auto& [name, node] : expand(blocks).entries())
     model.entries.push_back({name, node.where() + ": " + node.path(), lumped::read_block(node)});
   return model;
 }

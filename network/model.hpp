@@ -6,7 +6,8 @@
 ///
 /// A block's flow runs from its `from` node to its `to` node and is positive along that arrow. Nodes exist by
 /// being named. Unknown types, doubled names and bad parameters are refused here; what concerns the graph is
-/// checked by Network.
+/// checked by Network. Uses of shipped subnetworks become their blocks, those of a case's own must be expanded before
+/// (network/subnetwork).
 #pragma once
 #include <memory>
 #include <string>

@@ -1,6 +1,7 @@
 #include "app/results/recorder.hpp"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -38,6 +39,7 @@ void archive(Archive& a, Recorded& r) {
   a.part("rows", [&] { r.rows.archive(a); });
   a.part("balance_rows", [&] { r.balance_rows.archive(a); });
   a.list("statistics", r.statistics, [&](CycleStatistics& s) { s.archive(a); });
+  a.part("derived", [&] { archive(a, r.derived); });
   a("ports_bytes", r.ports_bytes);
   a("network_bytes", r.network_bytes);
   a("balance_bytes", r.balance_bytes);
@@ -51,7 +53,8 @@ Recorder::Recorder(const Case& study, std::string case_name, const ResultsFolder
       folder_(folder),
       names_(std::move(names)),
       rows_(study.output.every),
-      balance_rows_(study.output.every) {
+      balance_rows_(study.output.every),
+      derived_(names_.elements, names_.ports, names_.series, study.time.period.value_or(0)) {
   folder_.create();
   log::open_file(folder_.file("log.txt"), saved.has_value());
   write_text(folder_.file("case.effective.yaml"), effective);
@@ -77,11 +80,13 @@ void Recorder::recall(const Recorded& saved) {
   time_ = saved.time, wall_before_ = saved.wall;
   rows_.go_on(saved.rows), balance_rows_.go_on(saved.balance_rows);
   for (std::size_t i = 0; i < tracked_.size(); ++i) tracked_[i].statistics = saved.statistics[i];
+  derived_.recall(saved.derived);
   log::recall_warnings(saved.warnings);
 }
 
 Recorded Recorder::save() {
   Recorded r{.time = time_, .wall = wall(), .rows = rows_, .balance_rows = balance_rows_};
+  r.derived = derived_.save();
   for (const auto& t : tracked_) r.statistics.push_back(t.statistics);
   r.network_bytes = static_cast<std::int64_t>(network_->bytes());
   if (ports_) r.ports_bytes = static_cast<std::int64_t>(ports_->bytes());
@@ -113,6 +118,7 @@ void Recorder::row(double time, std::span<const PortRow> ports, std::span<const 
     tracked_[i++].statistics.add(time, port.pressure);
     tracked_[i++].statistics.add(time, port.flow_out);
   }
+  derived_.row(time, series);
   for (double value : series) tracked_[i++].statistics.add(time, value);
   if (time < study_.output.from * (1 - 1e-9) || !rows_.due(time)) return;
   if (ports_) ports_->rows(time, ports);
@@ -148,6 +154,17 @@ json Recorder::statistics() const {
   return all;
 }
 
+json Recorder::derived() const {
+  std::map<std::string, const CycleStatistics*> by_name;
+  for (const auto& t : tracked_) by_name.emplace(t.name, &t.statistics);
+  return derived_.results([&](const std::string& name) -> std::optional<CycleValues> {
+    const auto at = by_name.find(name);
+    if (at == by_name.end()) return {};
+    const auto cycles = at->second->cycles();
+    return cycles.empty() ? std::nullopt : std::optional(last_complete(cycles));
+  });
+}
+
 void Recorder::finish(Status status, const json& facts) {
   flush();
   json summary = {
@@ -161,6 +178,7 @@ void Recorder::finish(Status status, const json& facts) {
       {"wall_s", wall()},
       {"periodicity", {{"change_between_last_cycles", periodicity()}}},
       {"series", statistics()},
+      {"derived", derived()},
       {"warnings", log::warnings()}};
   summary.update(facts, true);
   write_text(folder_.file("summary.json"), summary.dump(2) + "\n");

@@ -10,6 +10,7 @@
 
 #include "app/case.hpp"
 #include "app/results/cycles.hpp"
+#include "app/results/derived.hpp"
 #include "app/results/folder.hpp"
 #include "app/results/series.hpp"
 
@@ -22,6 +23,7 @@ struct Recorded {
   double time = 0, wall = 0;  // s; wall: of the sittings so far
   Thinning rows, balance_rows;
   std::vector<CycleStatistics> statistics{};
+  DerivedState derived{};
   std::int64_t ports_bytes = 0, network_bytes = 0, balance_bytes = 0;
   std::vector<std::string> warnings{};
 };
@@ -32,6 +34,7 @@ class Recorder {
   struct Names {
     std::vector<std::string> ports;   // openings, empty for a standalone network
     std::vector<std::string> series;  // of the network
+    std::vector<Element> elements{};  // its blocks
   };
   /// `effective` is the text of case.effective.yaml. With `saved` the files are cut back to what they were and continued.
   Recorder(const Case& study, std::string case_name, const ResultsFolder& folder,
@@ -62,6 +65,7 @@ class Recorder {
   void recall(const Recorded& saved);
   double wall() const;
   nlohmann::json statistics() const;
+  nlohmann::json derived() const;
 
   Case study_;
   std::string case_name_;
@@ -71,6 +75,7 @@ class Recorder {
   std::optional<NetworkCsv> network_;
   std::optional<BalanceCsv> balance_;
   Thinning rows_, balance_rows_;
+  Derived derived_;
   std::vector<Tracked> tracked_;
   double time_ = 0, wall_before_ = 0;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();

@@ -36,7 +36,7 @@ const Tree& Node::tree() const {
   return tree_ ? *tree_ : nothing;
 }
 
-std::string Node::where() const { return fmt::format("{}:{}:{}", file_, line_, column_); }
+std::string Node::where() const { return fmt::format("{}:{}:{}{}", file_, line_, column_, note_); }
 
 std::string Node::key() const {
   const auto dot = path_.rfind('.');
@@ -53,16 +53,30 @@ const std::string& Node::text() const {
 Node Node::child(const std::string& step, TreePtr tree, int line, int column) const {
   Node node;
   node.tree_ = std::move(tree);
-  node.file_ = file_;
+  const Origin* origin = node.tree_ ? node.tree_->origin.get() : nullptr;
+  node.file_ = origin ? origin->file : file_;
+  node.note_ = origin ? origin->note : note_;
   node.path_ = path_.empty() ? step : path_ + "." + step;
   node.line_ = line, node.column_ = column;
   return node;
 }
 
 Node Node::with_text(const std::string& text) const {
+  Tree tree = Tree::scalar(text);
+  tree.line = line_, tree.column = column_;
+  return with_tree(std::make_shared<Tree>(std::move(tree)));
+}
+
+Node Node::with_tree(TreePtr tree) const {
   Node node = *this;
-  node.tree_ = std::make_shared<Tree>(Tree::scalar(text));
+  node.tree_ = std::move(tree);
   return node;
+}
+
+TreeEntry Node::grafted(std::string key, const std::string& note) const {
+  Tree copy = tree();
+  copy.origin = std::make_shared<Origin>(Origin{file_, note_ + note});
+  return {std::move(key), line_, column_, std::make_shared<Tree>(std::move(copy))};
 }
 
 namespace {

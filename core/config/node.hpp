@@ -26,6 +26,7 @@ class Node {
   bool is_map() const { return kind() == Tree::Kind::map; }
   Tree::Kind kind() const { return tree_ ? tree_->kind : Tree::Kind::null; }
   const Tree& tree() const;
+  const TreePtr& shared_tree() const { return tree_; }
 
   std::string where() const;                         // "case.yaml:12:5"
   const std::string& path() const { return path_; }  // "network.blocks.dao.Rp"
@@ -41,8 +42,12 @@ class Node {
   std::optional<Node> find(const std::string& key) const;  // in a mapping; throws UserError if it is none
   Node at(const std::string& key) const;                   // throws UserError when missing
 
-  /// The same place holding another scalar.
+  /// The same place holding another scalar, or another value.
   Node with_text(const std::string& text) const;
+  Node with_tree(TreePtr tree) const;
+
+  /// This value for a mapping of another document, where it keeps its position; `note` goes behind that.
+  TreeEntry grafted(std::string key, const std::string& note = {}) const;
 
   /// The document with the value at a dotted path of keys replaced or added: with_value("time.cycles", "1").
   Node with_value(const std::string& dotted, const std::string& yaml) const;
@@ -63,7 +68,7 @@ class Node {
  private:
   Node child(const std::string& step, TreePtr tree, int line, int column) const;
   TreePtr tree_;
-  std::string file_, path_;
+  std::string file_, path_, note_;
   int line_ = 1, column_ = 1;
 };
 

@@ -15,6 +15,12 @@ struct TreeEntry {
   TreePtr value;
 };
 
+/// Where a value comes from that stands in another document than the one around it.
+struct Origin {
+  std::string file;
+  std::string note;  // " (used at case.yaml:6:3)", goes behind every position
+};
+
 struct Tree {
   enum class Kind { null, scalar, list, map };
   Kind kind = Kind::null;
@@ -23,6 +29,7 @@ struct Tree {
   std::vector<TreeEntry> entries;  // of a mapping
   int line = 0, column = 0;        // from 1; 0: made by the program
   bool quoted = false;
+  std::shared_ptr<const Origin> origin = nullptr;  // nothing: the document around it
 
   static Tree scalar(std::string text);
   static Tree list(std::vector<Tree> items = {});

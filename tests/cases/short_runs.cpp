@@ -18,6 +18,24 @@ TEST_F(ShortCase, RcrFourierIsExact) {
     EXPECT_NEAR(pressure.value[i], exact.value[i % 80], 1e-6 * exact.value[i % 80]) << pressure.time[i];
 }
 
+TEST_F(ShortCase, ClosedLoopIsThatOfAnotherIntegrator) {
+  run("closed_loop", "");
+  const Table network = read_table(folder() / "results/network.csv"), exact = reference("closed_loop");
+  const auto expect_same = [&](const std::string& series, const std::string& name, double allowed) {
+    const Signal made = column(network, series), wanted = column(exact, name);
+    for (std::size_t i = 0; i < wanted.time.size(); ++i)
+      EXPECT_NEAR(made.value[900 + i], wanted.value[i], allowed) << series << " at " << wanted.time[i];
+  };
+  expect_same("p:aorta_Pa", "aorta_Pa", 1.3);
+  expect_same("p:central.heart.LV_Pa", "lv_Pa", 1.3);
+  expect_same("v:central.heart.lv.V_m3", "lv_m3", 1e-8);
+  expect_same("p:central.PA_Pa", "pulmonary_artery_Pa", 1.3);
+  expect_same("p:central.PV_Pa", "left_atrium_Pa", 1.3);
+  const auto derived = summary()["derived"];
+  EXPECT_NEAR(derived["flow_splits"]["aorta"]["organs.upper"]["value"].get<double>(), 0.3, 1e-6);
+  EXPECT_NEAR(derived["chambers"]["central.heart.lv"]["ejection_fraction"]["value"].get<double>(), 0.646, 0.005);
+}
+
 TEST_F(ShortCase, Poiseuille2d) {
   run("poiseuille_2d", "--threads 1 --set 'vessel.spacing=0.1 mm' --set 'time.end=0.05 s'");
   EXPECT_TRUE(exists("results/fields/fluid.pvd"));

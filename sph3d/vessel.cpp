@@ -40,13 +40,12 @@ double undisturbed_density(const Model<D>& model, FluidState<D>& fluid, Workspac
 template <int D>
 Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::vector<OpeningRole> roles,
                   double pressure, const std::function<void(double)>& progress) {
-  auto owned = std::make_unique<Model<D>>(lumen, options, std::move(roles));
-  Model<D>* model = owned.get();
+  auto model = std::make_unique<Model<D>>(lumen, options, std::move(roles));
   state_.fluid = fill(*model, {.progress = progress});
   const double psi = pressure / (options.density * options.sound_speed * options.sound_speed);
   model->rest_volume = 1.0 / (1.0 + psi);
   model->number_density = undisturbed_density(*model, state_.fluid, work_, psi);
-  model_ = std::move(owned);
+  model_ = std::move(model);
   for (std::size_t i = 0; i < state_.fluid.places(); ++i)
     if (state_.fluid.filled[i]) state_.fluid.psi(i) = static_cast<float>(psi);
   state_.ports.resize(lumen.openings.size());
@@ -54,7 +53,6 @@ Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::ve
   find_zones(*model_, state_.fluid, work_);
   count_ports(*model_, state_, work_);
   for (auto& port : state_.ports) port.counted_at_start = port.counted;
-  model->capacity = content() * model->rest_volume;
 }
 
 template <int D>
@@ -67,7 +65,6 @@ Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::ve
   auto model = std::make_unique<Model<D>>(lumen, options, std::move(roles));
   model->number_density = saved.number_density;
   model->rest_volume = saved.rest_volume;
-  model->capacity = saved.capacity;
   model_ = std::move(model);
 }
 
@@ -126,7 +123,6 @@ void Vessel<D>::prepare(double dt, double acoustic_dt, PhaseSeconds& seconds) {
     const Stopwatch watch(seconds.walls);
     wall_->attach(state_.wall, state_.fluid);
   }
-  work_.mean_density = mean_density();
   prepare_step(*model_, state_.fluid, work_, dt, acoustic_dt, seconds);
 }
 
@@ -329,15 +325,6 @@ double Vessel<D>::content() const {
   double volume = static_cast<double>(state_.fluid.count()) * state_.fluid.volume;
   for (const auto& port : state_.ports) volume -= port.counted - port.deleted + port.inserted;
   return volume;
-}
-
-/// Over rho0, from how much blood is between the caps and how far the wall has given way; 0 where the first is not known.
-template <int D>
-double Vessel<D>::mean_density() const {
-  if (!(model_->capacity > 0.0)) return 0.0;
-  const double volume_at_start = model_->capacity / model_->rest_volume,
-               gained = wall_ ? wall_->volume_gained(*model_, state_.wall) : 0.0;
-  return content() / (model_->capacity * (1.0 + gained / volume_at_start));
 }
 
 template <int D>

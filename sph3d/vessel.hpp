@@ -54,9 +54,7 @@ class Vessel {
   const VesselState<D>& state() const { return state_; }
   const Workspace<D>& workspace() const { return work_; }
   VesselState<D> save() const { return state_; }
-  SavedVessel<D> saved() const {
-    return {state_, model_->number_density, model_->rest_volume, model_->capacity};
-  }
+  SavedVessel<D> saved() const { return {state_, model_->number_density, model_->rest_volume}; }
   void load(VesselState<D> state) { state_ = std::move(state); }
 
   /// The wall moves from now on: before the first step, or from where its state was saved.
@@ -79,7 +77,6 @@ class Vessel {
   std::size_t bytes() const;
 
  private:
-  double mean_density() const;
   double acoustic_time_step() const;
   std::pair<double, StepBound> time_step(double dt_limit) const;
   void prepare(double dt, double acoustic_dt, PhaseSeconds& seconds);

@@ -85,7 +85,6 @@ template <int D>
 void archive(Archive& a, SavedVessel<D>& saved) {
   a("number_density", saved.number_density);
   a("rest_volume", saved.rest_volume);
-  a("capacity", saved.capacity);
   a.part("state", [&] { archive(a, saved.state); });
 }
 

@@ -65,7 +65,6 @@ struct Model {
   double particle_volume;            // dp^D
   double number_density;             // sum W V of undisturbed fluid (density is measured against it)
   double rest_volume = 1;            // of a particle at the pressure of the start, over that at pressure 0
-  double capacity = 0;  // volume of undisturbed fluid, V = m/rho0, that fills the lumen between its caps
 };
 
 extern template struct Model<2>;

@@ -40,48 +40,12 @@ void spare_ducts(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>
       }
 }
 
-/// Means over the particles of the vessel.
-struct Means {
-  double sum = 0, psi = 0;  // sum W V + filling; density deviation
-  double count = 0;
-
-  void add(double s, double p) { sum += s, psi += p, count += 1.0; }
-};
-
-template <int D>
-Means means_of(const Model<D>& model, const FluidState<D>& fluid, const Workspace<D>& work) {
-  std::vector<Means> of(fluid.clusters.size());
-  for_clusters(of.size(), [&](std::size_t c) {
-    for (std::size_t lane = 0; lane < 8; ++lane) {
-      if (!fluid.filled[8 * c + lane] || work.duct_of[8 * c + lane] >= 0) continue;
-      const double psi = fluid.clusters[c].psi[lane];
-      of[c].add(work.sums[c].density[lane] + work.around[c].filling[lane] * model.density_ratio(psi), psi);
-    }
-  });
-  Means all;
-  for (const Means& one : of) all.sum += one.sum, all.psi += one.psi, all.count += one.count;
-  all.sum /= std::max(all.count, 1.0), all.psi /= std::max(all.count, 1.0);
-  return all;
-}
-
-/// What sum W V + filling is compared with: the mean density then follows, within this step, from how much blood is inside,
-/// whatever disorder and the distance of the first row from the wall do to the mean of the sums.
-template <int D>
-double undisturbed(const Model<D>& model, const FluidState<D>& fluid, const Workspace<D>& work) {
-  const double theta = model.options.density_relaxation;
-  if (!(work.mean_density > 0.0) || !(theta > 0.0)) return model.number_density;
-  const Means mean = means_of(model, fluid, work);
-  const double wanted = 1.0 + mean.psi + (work.mean_density - 1.0 - mean.psi) / theta;
-  return mean.count > 0.0 && wanted > 0.5 ? mean.sum / wanted : model.number_density;
-}
-
 }  // namespace
 
 template <int D>
 void correct(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, double dt, double acoustic_dt) {
   complete_moments(model, fluid, work);
   FluidConstants constants = constants_of(model);
-  constants.number_density = static_cast<float>(undisturbed(model, fluid, work));
   constants.correction = static_cast<float>(model.options.density_relaxation / dt);
   for_batches(fluid.clusters.size(), [&](std::size_t begin, std::size_t end) {
     fluid_kernels<D>().corrections(begin, end, fluid.clusters.data(), work.sums.data(), work.around.data(),

@@ -52,8 +52,8 @@ struct VesselState {
 template <int D>
 struct SavedVessel {
   VesselState<D> state;
-  double number_density = 0;             ///< of the undisturbed fluid, see Model
-  double rest_volume = 1, capacity = 0;  ///< likewise
+  double number_density = 0;  ///< of the undisturbed fluid, see Model
+  double rest_volume = 1;     ///< likewise
 };
 
 }  // namespace ostium::sph3d

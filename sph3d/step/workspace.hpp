@@ -38,7 +38,6 @@ struct Workspace {
   std::vector<std::vector<std::int32_t>> near_duct;
   RowLists<D> rows;
   FluidState<D> spare;                         ///< memory for the next ordering
-  double mean_density = 0;                     ///< of the blood in the vessel over rho0; 0: not known
   const WallMotion<D>* wall_motion = nullptr;  ///< where the wall moves
 };
 

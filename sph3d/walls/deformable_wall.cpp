@@ -27,8 +27,7 @@ DeformableWall<D>::DeformableWall(WallBody<D> body, double reach, const Surround
             return WallMotion<D>(b.reference(), b.reference_normals(), b.spacing(), reach);
           },
           body_)),
-      force_(std::visit([](const auto& b) { return b.count(); }, body_), Vec<D>::Zero()),
-      at_rest_(points_at_rest()) {}
+      force_(std::visit([](const auto& b) { return b.count(); }, body_), Vec<D>::Zero()) {}
 
 template <int D>
 DeformableWallState<D> DeformableWall<D>::rest(double pressure) const {
@@ -55,21 +54,6 @@ std::vector<WallPoint<D>> DeformableWall<D>::points_at_rest() const {
 template <int D>
 std::vector<WallPoint<D>> DeformableWall<D>::points(const DeformableWallState<D>& state) const {
   return on_body(body_, state, [](const auto& body, const auto& own) { return body.points(own); });
-}
-
-/// The mean of the area vectors at rest and now is exact where a cylinder widens evenly.
-template <int D>
-double DeformableWall<D>::volume_gained(const Model<D>& model, const DeformableWallState<D>& state) const {
-  const std::vector<WallPoint<D>> now = points(state);
-  double volume = 0;
-  for (std::size_t a = 0; a < now.size(); ++a) {
-    const WallPoint<D>&from = at_rest_[a], &to = now[a];
-    if (std::any_of(model.ducts.begin(), model.ducts.end(),
-                    [&](const auto& d) { return d.holds(from.position); }))
-      continue;
-    volume += 0.5 * (from.area * from.normal + to.area * to.normal).dot(to.position - from.position);
-  }
-  return volume;
 }
 
 template <int D>

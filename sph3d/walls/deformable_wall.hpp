@@ -67,8 +67,6 @@ class DeformableWall {
   std::size_t count() const { return force_.size(); }  ///< contact points
   std::vector<WallPoint<D>> points_at_rest() const;
   std::vector<WallPoint<D>> points(const DeformableWallState<D>& state) const;
-  /// Volume by which the lumen is larger than with the wall in its reference, m^D, between the ducts of the model.
-  double volume_gained(const Model<D>& model, const DeformableWallState<D>& state) const;
 
  private:
   double withheld(const DeformableWallState<D>& state, double time) const;
@@ -78,7 +76,6 @@ class DeformableWall {
   WallMotion<D> motion_;
   std::vector<Vec<D>> on_wall_, impact_;  // F_i of each place, and the part that is felt in the next kick
   std::vector<Vec<D>> force_;
-  std::vector<WallPoint<D>> at_rest_;
 };
 
 extern template class DeformableWall<2>;

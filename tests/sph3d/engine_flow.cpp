@@ -82,30 +82,6 @@ TEST(Flow, ARestartIsExact) {
   EXPECT_TRUE(same_bits(vessel.state().fluid, other.state().fluid));
 }
 
-/// What positions say of the density, in the mean, is what counting says, while the flow swings.
-TEST(Flow, MeanDensityIsThatOfTheContent) {
-  Vessel<3> vessel(tube(0.005, 0.03),
-                   {.dp = 1e-3,
-                    .density = 1000,
-                    .viscosity = 1e-5,
-                    .sound_speed = 10,
-                    .reference_speed = 0.5,
-                    .density_relaxation = 0.2},
-                   {{true, Profile::parabolic}, {}}, 2000.0);
-  const auto& [model, fluid] = std::tie(vessel.model(), vessel.state().fluid);
-  double worst = 0;
-  for (double end = 0.005; end < 0.1; end += 0.005) {
-    run_inflow(vessel, end, 2000);
-    double psi = 0;
-    int n = 0;
-    for (std::size_t i = 0; i < fluid.places(); ++i)
-      if (fluid.filled[i] && vessel.workspace().duct_of[i] < 0) psi += fluid.psi(i), ++n;
-    worst = std::max(worst, std::abs(psi / n - (vessel.content() / model.capacity - 1.0)));
-  }
-  std::printf("mean density off by %.2e at most\n", worst);
-  EXPECT_LT(worst, 1e-3);
-}
-
 /// Plane Poiseuille flow, fluid of the literature's case: d = 1 mm, Re = 50, exact u = 4 u_max y (d - y) / d^2.
 struct Poiseuille {
   double profile_error = 0;  // rms over u_max

@@ -10,7 +10,7 @@ using lumped::Windkessel;
 
 const Windkessel* grounded_windkessel(const lumped::Block* block) {
   const auto* found = dynamic_cast<const lumped::BlockOf<Windkessel>*>(block);
-  return found && found->terminals()[Windkessel::To].grounded() ? &found->parameters() : nullptr;
+  return found && found->terminals()[Windkessel::To].grounded() ? &found->fields() : nullptr;
 }
 
 /// Heun's method on the differentiated Windkessel, with the same counted flow in both stages, as published.

@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+#include "core/config/info.hpp"
+
 namespace ostium::lumped {
 
 enum class Quantity { pressure, flow, volume, ratio, length, velocity };
@@ -56,6 +58,19 @@ struct Branch {
   Nature nature = Nature::resistive;
 };
 
+/// A number of a block, by its key in the case file (core/config/numbers.hpp says which there are).
+struct Parameter {
+  std::string key, unit;  // SI
+  double value = 0;
+  config::Range range = {};
+};
+
+/// Another value of the parameter of that number.
+struct Change {
+  int parameter = 0;
+  double value = 0;
+};
+
 class Block {
  public:
   virtual ~Block() = default;
@@ -77,6 +92,15 @@ class Block {
 
   /// Start values of the differential unknowns; the others are found by the network.
   virtual void initial(double* y) const = 0;
+
+  /// What can be changed, always in the same order.
+  virtual std::vector<Parameter> parameters() const = 0;
+  /// The block with other values, which are not looked at: neither ranges nor what they mean together.
+  virtual std::shared_ptr<const Block> with(std::span<const Change> changes) const = 0;
+  /// False where the equations jump with that parameter, so that there is no derivative with respect to it.
+  virtual bool smooth_in(const std::string& parameter) const = 0;
+  /// What is wrong with the parameters together, as a sentence; nothing where they are in order.
+  virtual std::string refusal() const = 0;
 
   /// True where the Jacobian depends neither on time nor on the unknowns.
   virtual bool linear() const = 0;

@@ -24,6 +24,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/config.hpp"
 #include "core/error.hpp"
 #include "lumped/block.hpp"
 #include "lumped/dual.hpp"
@@ -139,7 +140,33 @@ class BlockOf final : public Block {
       return std::make_shared<BlockOf>(b_);
   }
 
-  const B& parameters() const { return b_; }
+  std::vector<Parameter> parameters() const override {
+    std::vector<Parameter> all;
+    B copy = b_;
+    config::fields<B>().numbers(copy, "", [&](const config::NumberInfo& n, double value, const auto&) {
+      all.push_back({n.key, n.unit, value, n.range});
+    });
+    return all;
+  }
+  std::shared_ptr<const Block> with(std::span<const Change> changes) const override {
+    B changed = b_;
+    int number = 0;
+    config::fields<B>().numbers(changed, "", [&](const config::NumberInfo&, double, const auto& assign) {
+      for (const auto& c : changes)
+        if (c.parameter == number) assign(c.value);
+      ++number;
+    });
+    return std::make_shared<BlockOf>(std::move(changed));
+  }
+  bool smooth_in(const std::string& parameter) const override {
+    if constexpr (requires { b_.smooth_in(parameter); })
+      return b_.smooth_in(parameter);
+    else
+      return true;
+  }
+  std::string refusal() const override { return config::fields<B>().refusal(b_); }
+
+  const B& fields() const { return b_; }
 
  private:
   static constexpr int own = static_cast<int>(B::unknowns.size());

@@ -70,6 +70,8 @@ struct FittedOutlet {
     for (std::size_t k = 1 + states(); k < all.size(); ++k) all[k].differential = false;
     return all;
   }
+  /// What the fit follows from moves its terms, and some of them come and go.
+  bool smooth_in(const std::string& parameter) const { return parameter == "Pd"; }
   std::vector<Terminal> terminals() const;
   std::vector<Branch> branches() const { return {{0, lumped::ground, Nature::resistive}}; }
 

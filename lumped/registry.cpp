@@ -38,7 +38,7 @@ template <class B>
 config::Tree write(const Block& block) {
   config::Tree tree = config::Tree::map();
   tree.add("type", config::Tree::scalar(B::type));
-  for (auto& entry : config::write(dynamic_cast<const BlockOf<B>&>(block).parameters()).entries)
+  for (auto& entry : config::write(dynamic_cast<const BlockOf<B>&>(block).fields()).entries)
     tree.add(entry.key, *entry.value);
   return tree;
 }

@@ -28,6 +28,9 @@ class Consistent {
   void settle(double t, std::span<const double> port_flow, double* y, double* dy,
               std::vector<int> thrown = {});
 
+  /// The parameters have changed.
+  void forget() { factorised_ = false; }
+
   /// Derivatives of y for port flows held, at consistent (y, dy): rates of the states and of the algebraic
   /// unknowns.
   Eigen::VectorXd rates(double t, std::span<const double> port_flow, const double* y, const double* dy);

@@ -32,4 +32,10 @@ std::string worst_equation(const System& system, double t, const Flows& flows, c
   return system.names()[at - f.begin()];
 }
 
+void guards_to_cross(const System& system, double t, const double* y, const double* dy, double* g) {
+  constexpr double little = 1e-13;  // of the scale of what a guard watches: far below the integrator's error
+  system.guards(t, y, dy, g);
+  for (int k = 0; k < system.switch_count(); ++k) g[k] += system.on(k, y) ? little : -little;
+}
+
 }  // namespace ostium::network

@@ -63,6 +63,9 @@ std::unique_ptr<Engine> make_runge_kutta_engine(const System& system, Consistent
 std::unique_ptr<Engine> make_ida_engine(const System& system, Consistent& consistent,
                                         double relative_tolerance);
 
+/// Guards for a root finder: one that is zero is a little on its own side, so that it passes zero when it leaves.
+/// (SUNDIALS does not watch a root function that is zero at the start until it has moved, to whichever side.)
+void guards_to_cross(const System& system, double t, const double* y, const double* dy, double* g);
 /// A switch that is thrown again and again at one time; throws NumericsError.
 [[noreturn]] void refuse_endless_switching(const System& system, double t, int k);
 /// The unknown whose equation is violated most.

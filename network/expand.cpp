@@ -104,7 +104,7 @@ class Use {
                     port, definition_.port_doc(port).empty() ? "" : " (" + definition_.port_doc(port) + ")");
   }
 
-  ParameterValue value(const std::string& name, const Parameter& p) const {
+  ParameterValue value(const std::string& name, const SubnetworkParameter& p) const {
     ParameterValue v{node_, p.unit};
     if (const auto given = node_.find(name))
       v.node = *given;

@@ -151,7 +151,7 @@ class IdaEngine final : public Engine {
   }
 
   static int guards(double t, N_Vector y, N_Vector dy, double* g, void* user) {
-    static_cast<IdaEngine*>(user)->system_.guards(t, data(y), data(dy), g);
+    guards_to_cross(static_cast<IdaEngine*>(user)->system_, t, data(y), data(dy), g);
     return 0;
   }
 

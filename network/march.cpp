@@ -5,9 +5,6 @@
 
 namespace ostium::network {
 
-namespace {
-
-/// Times at which the integrator must stop: the kinks inside, rows that it cannot interpolate, and the end.
 std::vector<double> stops(const System& system, double t0, double t1, std::span<const double> rows) {
   std::vector<double> all = system.kinks(t0, t1), times;
   all.insert(all.end(), rows.begin(), rows.end());
@@ -18,8 +15,6 @@ std::vector<double> stops(const System& system, double t0, double t1, std::span<
   times.push_back(t1);
   return times;
 }
-
-}  // namespace
 
 void march(const System& system, Consistent& consistent, Engine& engine, const Flows& flows, State& s,
            Rows* rows) {

@@ -11,6 +11,9 @@ namespace ostium::network {
 void march(const System& system, Consistent& consistent, Engine& engine, const Flows& flows, State& state,
            Rows* rows = nullptr);
 
+/// Times after t0 at which an integrator must stop: the kinks in between, rows that it cannot interpolate, and t1.
+std::vector<double> stops(const System& system, double t0, double t1, std::span<const double> rows = {});
+
 /// The engine the options ask for.
 std::unique_ptr<Engine> make_engine(const System& system, Consistent& consistent,
                                     const NetworkOptions& options);

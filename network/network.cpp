@@ -18,9 +18,22 @@ struct Network::Parts {
   std::unique_ptr<Engine> engine;
   std::optional<StateSpace> linear;                        // the last one asked for
   std::optional<std::pair<double, Eigen::MatrixXd>> held;  // last dt and its response
+  NetworkOptions options;
+  std::optional<Changes> changes;
 
-  Parts(Model model, std::vector<Port> ports, const NetworkOptions& options)
-      : system(std::move(model), std::move(ports)) {
+  Parts(Model model, std::vector<Port> ports, const NetworkOptions& how)
+      : system(std::move(model), std::move(ports)), options(how) {
+    prepare();
+  }
+  void set(const Parameter& parameter, double value) {
+    if (!changes) changes.emplace(system.model());
+    system.replace(parameter.entry, changes->block(parameter, value));
+    changes->keep(parameter, value);
+    consistent.forget();
+    linear.reset(), held.reset();
+    prepare();
+  }
+  void prepare() {
     check_index(system);
     engine = make_engine(system, consistent, options);
   }
@@ -32,6 +45,13 @@ struct Network::Parts {
 
 Network::Network(Model model, std::vector<Port> ports, NetworkOptions options)
     : parts_(std::make_unique<Parts>(std::move(model), std::move(ports), options)) {
+  restart();
+}
+
+void Network::set(const Parameter& parameter, double value) { parts_->set(parameter, value); }
+const Model& Network::model() const { return parts_->system.model(); }
+
+void Network::restart() {
   const auto start = parts_->system.start();
   State s{.time = 0,
           .y = {start.begin(), start.end()},

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "network/model.hpp"
+#include "network/parameters.hpp"
 #include "network/port.hpp"
 
 namespace ostium {
@@ -101,6 +102,15 @@ class Network {
   /// Names and present values of every series of network.csv: `p:NODE_Pa`, `q:BLOCK_m3_s`,
   /// `p:BLOCK.STATE_Pa`.
   const std::vector<std::string>& series_names() const;
+
+  /// Gives a parameter (network/parameters.hpp) another value; what is joined stays joined, and so do the values set
+  /// before and the state. Throws UserError: range, what the block refuses, a value that leaves an element out or adds one.
+  void set(const Parameter& parameter, double value);
+  /// The blocks as they are now.
+  const Model& model() const;
+  /// Back to t = 0 and the start values.
+  void restart();
+
   void series(std::span<double> values) const;
 
   State save() const;

@@ -4,7 +4,7 @@
 ///
 ///   x  differential unknowns
 ///   T  period, s
-///   M  e^{AT} of a linear network, else by differences: Newton's shooting
+///   M  e^{AT} of a linear network, else from the sensitivities along the period: Newton's shooting (network/shooting)
 ///
 /// With a vessel, all openings are merged into one node for this (an ideal junction: a rigid vessel without
 /// losses), so the resistances decide the split of the flow. Source: Guckenheimer & Holmes 1983, sec. 1.5
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "network/network.hpp"
+#include "network/periodic_report.hpp"
 
 namespace ostium::network {
 
@@ -25,6 +26,7 @@ struct Start {
   double min_pressure = 0, max_pressure = 0;  // Pa
   double max_pressure_rate = 0;               // Pa/s, largest |dP/dt|
   std::vector<double> mean_port_flow;         // m3/s over the period, one per port
+  PeriodicReport report{};
 };
 
 /// Throws UserError where no periodic state exists (a source of non-zero mean into closed compliances).

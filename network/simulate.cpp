@@ -40,12 +40,15 @@ class OutputTimes {
 };
 
 /// The network at the start, or where it goes on.
-Network begin(const Model& model, const SimulateOptions& o) {
+Network begin(const Model& model, const SimulateOptions& o, const Sink& sink) {
   Network network(model, {}, {.relative_tolerance = o.relative_tolerance});
-  if (o.from)
+  if (o.from) {
     network.load(*o.from);
-  else if (o.initial == Initial::periodic)
-    network.load(periodic_start(model, {}, o.period).state);
+  } else if (o.initial == Initial::periodic) {
+    const Start start = periodic_start(model, {}, o.period);
+    network.load(start.state);
+    if (sink.periodic) sink.periodic(start.report);
+  }
   return network;
 }
 
@@ -69,7 +72,7 @@ class Handing {
 
 void simulate(const Model& model, const SimulateOptions& options, const Sink& sink) {
   check(options);
-  Network network = begin(model, options);
+  Network network = begin(model, options, sink);
   Handing row(options, sink);
   sink.begin(network.series_names());
   std::vector<double> values(network.series_names().size());

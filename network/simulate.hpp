@@ -12,6 +12,7 @@
 
 #include "network/model.hpp"
 #include "network/network.hpp"
+#include "network/periodic_report.hpp"
 
 namespace ostium::network {
 
@@ -35,6 +36,7 @@ struct Sink {
   std::function<void(const std::vector<std::string>& names)> begin;
   std::function<bool(double time, std::span<const double> values)> row;
   std::function<void(const State&)> keep = {};
+  std::function<void(const PeriodicReport&)> periodic = {};  // before `begin`, where the start is periodic
 };
 
 /// Throws UserError on a bad network, NumericsError where the integrator gives up.

@@ -9,7 +9,7 @@
 namespace ostium::network {
 namespace {
 
-std::string check_parameter(const Parameter& p) {
+std::string check_parameter(const SubnetworkParameter& p) {
   if (p.unit == "1" || !p.value) return {};
   if (p.value->find('$') != std::string::npos)
     return "the default \"" + *p.value + "\" must be a plain value; parameters stand in the blocks only";
@@ -64,11 +64,12 @@ std::string Subnetwork::port_doc(const std::string& port) const {
   return meaning && meaning->is_scalar() ? meaning->text() : "";
 }
 
-void declare(config::Fields<Parameter>& f) {
-  f.text("unit", &Parameter::unit, "unit of its dimension, such as Pa.s/m3; 1 for a number").or_else("1");
-  f.text("default", &Parameter::value, "value where a use gives none; without it every use must");
-  f.text("doc", &Parameter::doc, "meaning").or_else("");
-  f.origin(&Parameter::origin);
+void declare(config::Fields<SubnetworkParameter>& f) {
+  f.text("unit", &SubnetworkParameter::unit, "unit of its dimension, such as Pa.s/m3; 1 for a number")
+      .or_else("1");
+  f.text("default", &SubnetworkParameter::value, "value where a use gives none; without it every use must");
+  f.text("doc", &SubnetworkParameter::doc, "meaning").or_else("");
+  f.origin(&SubnetworkParameter::origin);
   f.check(check_parameter);
 }
 

@@ -29,18 +29,18 @@
 
 namespace ostium::network {
 
-struct Parameter {
+struct SubnetworkParameter {
   std::string unit;
   std::optional<std::string> value;  // the default, with its unit
   std::string doc;
   config::Node origin;
 };
-void declare(config::Fields<Parameter>&);
+void declare(config::Fields<SubnetworkParameter>&);
 
 struct Subnetwork {
   std::string doc, source;
   config::Node ports;  // [name, ..] or {name: meaning, ..}
-  std::vector<std::pair<std::string, Parameter>> parameters;
+  std::vector<std::pair<std::string, SubnetworkParameter>> parameters;
   config::Node blocks;
   config::Node origin;
 

@@ -59,16 +59,16 @@ void System::place_blocks() {
   int own = node_count();
   for (size_t i = 0; i < model_.entries.size(); ++i) {
     const auto& b = *model_.entries[i].block;
-    Placed p{.block = &b,
+    Placed p{.block = nullptr,
              .own = own,
-             .linear = b.linear(),
-             .autonomous = b.autonomous(),
+             .linear = false,
+             .autonomous = false,
              .switches = b.switch_count(),
              .node = graph_.node_of[i],
              .ground = {},
              .row = {},
              .slots = {}};
-    for (const auto& end : b.terminals()) p.ground.push_back(end.ground);
+    read(p, b);
     for (int k = 0; k < b.unknown_count(); ++k) p.row.push_back(own + k);
     for (int k = 0, n = 0; k < b.unknown_count(); ++k)
       if (b.unknowns()[k].is_switch) switches_.push_back({static_cast<int>(i), n++, own + k});
@@ -77,6 +77,12 @@ void System::place_blocks() {
     linear_ = linear_ && b.linear();
     placed_.push_back(std::move(p));
   }
+}
+
+void System::read(Placed& p, const lumped::Block& block) {
+  p.block = &block;
+  p.linear = block.linear(), p.autonomous = block.autonomous();
+  p.ground = grounds(block);
 }
 
 /// Column of a block's input [p, y, dy], outside for a ground.
@@ -122,9 +128,16 @@ void System::prepare_linear_part() {
   }
 }
 
-const double* System::gather(const Placed& p, const double* y, const double* dy) const {
+std::vector<double> System::grounds(const lumped::Block& block) {
+  std::vector<double> all;
+  for (const auto& end : block.terminals()) all.push_back(end.ground);
+  return all;
+}
+
+const double* System::gather(const Placed& p, const std::vector<double>& ground, const double* y,
+                             const double* dy) const {
   double* x = x_.data();
-  for (size_t k = 0; k < p.node.size(); ++k) *x++ = p.node[k] == outside ? p.ground[k] : y[p.node[k]];
+  for (size_t k = 0; k < p.node.size(); ++k) *x++ = p.node[k] == outside ? ground[k] : y[p.node[k]];
   const int n = static_cast<int>(p.row.size() - p.node.size());
   x = std::copy(y + p.own, y + p.own + n, x);
   std::copy(dy + p.own, dy + p.own + n, x);
@@ -199,6 +212,38 @@ std::vector<double> System::kinks(double t0, double t1) const {
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
+}
+
+void System::replace(int entry, std::shared_ptr<const lumped::Block> block) {
+  const auto now = placed_[entry].block->unknowns(), then = block->unknowns();
+  const bool same = std::equal(now.begin(), now.end(), then.begin(), then.end(),
+                               [](const auto& a, const auto& b) { return a.differential == b.differential; });
+  if (!same)
+    user_error(
+        "{}: that value leaves an element of the block out, or adds one; values may be changed in a joined "
+        "network "
+        "where 0 stays 0 and others do not become 0",
+        model_.entries[entry].where);
+  read(placed_[entry], *block);
+  model_.entries[entry].block = std::move(block);
+  linear_ = std::all_of(placed_.begin(), placed_.end(), [](const auto& p) { return p.linear; });
+  prepare_linear_part();
+}
+
+void System::add_residual(int entry, const lumped::Block& instead, double weight, double t, const double* y,
+                          const double* dy, double* f) const {
+  const auto& p = placed_[entry];
+  instead.residual(t, gather(p, instead, y, dy), out_.data());
+  for (size_t e = 0; e < p.row.size(); ++e)
+    if (p.row[e] != outside) f[p.row[e]] += weight * out_[e];
+}
+
+void System::add_guards(int entry, const lumped::Block& instead, double weight, double t, const double* y,
+                        const double* dy, double* g) const {
+  if (instead.switch_count() == 0) return;
+  instead.guards(t, gather(placed_[entry], instead, y, dy), out_.data());
+  for (int k = 0; k < switch_count(); ++k)
+    if (switches_[k].entry == entry) g[k] += weight * out_[switches_[k].number];
 }
 
 double System::compliance() const {

@@ -60,6 +60,17 @@ class System {
   /// Flow from the vessel through port k into the blocks there, in a merged network.
   double flow_through_opening(int port, double t, const double* y, const double* dy) const;
 
+  /// Puts a block with other parameters in the place of an entry: same ends, same unknowns. Throws UserError where the
+  /// parameters decide otherwise which unknowns are differential.
+  void replace(int entry, std::shared_ptr<const lumped::Block> block);
+  /// Adds weight times what the equations (the guards) were with `instead` in the place of that entry.
+  void add_residual(int entry, const lumped::Block& instead, double weight, double t, const double* y,
+                    const double* dy, double* f) const;
+  void add_guards(int entry, const lumped::Block& instead, double weight, double t, const double* y,
+                  const double* dy, double* g) const;
+  /// Index of the first own unknown of an entry.
+  int own(int entry) const { return placed_[entry].own; }
+
   const std::vector<Port>& ports() const { return ports_; }
   const Graph& graph() const { return graph_; }
   const Model& model() const { return model_; }
@@ -87,7 +98,17 @@ class System {
   void place_blocks();
   void make_pattern();
   void prepare_linear_part();
-  const double* gather(const Placed& p, const double* y, const double* dy) const;
+  void read(Placed& p, const lumped::Block& block);
+  const double* gather(const Placed& p, const double* y, const double* dy) const {
+    return gather(p, p.ground, y, dy);
+  }
+  const double* gather(const Placed& p, const std::vector<double>& ground, const double* y,
+                       const double* dy) const;
+  const double* gather(const Placed& p, const lumped::Block& instead, const double* y,
+                       const double* dy) const {
+    return gather(p, grounds(instead), y, dy);
+  }
+  static std::vector<double> grounds(const lumped::Block& block);
   void add_residual(const Placed& p, double t, const double* x, double* f) const;
   void add_jacobian(const Placed& p, double t, const double* x, double* d_y, double* d_dy) const;
   void subtract_port_flows(std::span<const double> port_flow, double* f) const;

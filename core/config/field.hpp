@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "core/config/info.hpp"
+#include "core/config/numbers.hpp"
 #include "core/config/values.hpp"
 
 namespace ostium::config {
@@ -13,6 +14,8 @@ template <class T>
 struct Codec {
   std::function<T(const Node&, const FieldInfo&)> read;
   std::function<Tree(const T&, const FieldInfo&)> write;
+  /// Visits the numbers in it, those of a value of several under the key of the field; nothing: it holds none.
+  std::function<void(T&, const FieldInfo&, const std::string& key, const NumberVisitor&)> numbers = {};
 };
 
 template <class M>
@@ -34,6 +37,7 @@ struct AnyField {
   virtual ~AnyField() = default;
   virtual void read(S& s, const Node& mapping) const = 0;
   virtual void write(const S& s, Tree& mapping) const = 0;
+  virtual void numbers(S& s, const std::string& prefix, const NumberVisitor& visit) const = 0;
 };
 
 /// M is the member's type: T, or std::optional<T> for a value that may be absent.
@@ -82,6 +86,16 @@ class Field final : public AnyField<S> {
       if (value) mapping.add(this->info.name, codec_.write(*value, this->info));
     } else {
       mapping.add(this->info.name, codec_.write(value, this->info));
+    }
+  }
+
+  void numbers(S& s, const std::string& prefix, const NumberVisitor& visit) const override {
+    if (!codec_.numbers) return;
+    M& value = s.*member_;
+    if constexpr (PlainType<M>::optional) {
+      if (value) codec_.numbers(*value, this->info, prefix + this->info.name, visit);
+    } else {
+      codec_.numbers(value, this->info, prefix + this->info.name, visit);
     }
   }
 

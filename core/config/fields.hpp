@@ -24,12 +24,13 @@ class Fields {
   /// A value with a unit; `unit` is the SI unit it is converted to. M: double or optional<double>.
   template <class M>
   Field<S, M>& quantity(std::string name, M S::*member, std::string unit, std::string doc) {
-    return add(member,
-               {read_quantity, [](double v, const FieldInfo& i) { return write_quantity(v, i.unit); }},
-               {.name = std::move(name),
-                .kind = FieldKind::quantity,
-                .unit = std::move(unit),
-                .doc = std::move(doc)});
+    return add(
+        member,
+        {read_quantity, [](double v, const FieldInfo& i) { return write_quantity(v, i.unit); }, one_number},
+        {.name = std::move(name),
+         .kind = FieldKind::quantity,
+         .unit = std::move(unit),
+         .doc = std::move(doc)});
   }
 
   /// The name of a unit, "cm", or a multiple of one; the member holds its size in the SI unit `unit`.
@@ -43,7 +44,8 @@ class Fields {
   /// A number without dimension.
   template <class M>
   Field<S, M>& number(std::string name, M S::*member, std::string doc) {
-    return add(member, {read_number, [](double v, const FieldInfo&) { return write_quantity(v, ""); }},
+    return add(member,
+               {read_number, [](double v, const FieldInfo&) { return write_quantity(v, ""); }, one_number},
                {.name = std::move(name), .kind = FieldKind::number, .doc = std::move(doc)});
   }
 
@@ -106,7 +108,8 @@ class Fields {
                {[](const Node& n, const FieldInfo& i) { return list_of<T>(read_quantities(n, i)); },
                 [](const T& v, const FieldInfo& i) {
                   return write_quantities(std::vector<double>(v.begin(), v.end()), i.unit);
-                }},
+                },
+                listed_numbers<T>},
                std::move(info));
   }
 
@@ -149,13 +152,14 @@ class Fields {
   /// A function of time whose values have the SI unit `unit`.
   template <class M>
   Field<S, M>& waveform(std::string name, M S::*member, std::string unit, std::string doc) {
-    return add(member,
-               {[](const Node& n, const FieldInfo& i) { return read_waveform(n, i.unit); },
-                [](const Waveform& w, const FieldInfo& i) { return write_waveform(w, i.unit); }},
-               {.name = std::move(name),
-                .kind = FieldKind::waveform,
-                .unit = std::move(unit),
-                .doc = std::move(doc)});
+    return add(
+        member,
+        {[](const Node& n, const FieldInfo& i) { return read_waveform(n, i.unit); },
+         [](const Waveform& w, const FieldInfo& i) { return write_waveform(w, i.unit); }, visit_waveform},
+        {.name = std::move(name),
+         .kind = FieldKind::waveform,
+         .unit = std::move(unit),
+         .doc = std::move(doc)});
   }
 
   /// Kept unread for a later reader. M: Node or optional<Node>.
@@ -181,8 +185,7 @@ class Fields {
     S s{};
     for (const auto& field : fields_) field->read(s, node);
     if (keep_origin_) keep_origin_(s, node);
-    for (const auto& check : checks_)
-      if (auto sentence = check(s); !sentence.empty()) node.error("{}", sentence);
+    if (const auto sentence = refusal(s); !sentence.empty()) node.error("{}", sentence);
     return s;
   }
 
@@ -190,6 +193,18 @@ class Fields {
     Tree mapping = Tree::map();
     for (const auto& field : fields_) field->write(s, mapping);
     return mapping;
+  }
+
+  /// Visits the numbers of s in the order of the fields: core/config/numbers.hpp.
+  void numbers(S& s, const std::string& prefix, const NumberVisitor& visit) const {
+    for (const auto& field : fields_) field->numbers(s, prefix, visit);
+  }
+
+  /// The sentence of the first condition that s does not fulfil, or nothing; ranges are not looked at.
+  std::string refusal(const S& s) const {
+    for (const auto& check : checks_)
+      if (auto sentence = check(s); !sentence.empty()) return sentence;
+    return {};
   }
 
   Description description() const {
@@ -245,7 +260,21 @@ class Fields {
   template <class T>
   static Codec<T> struct_codec() {
     return {[](const Node& n, const FieldInfo&) { return fields<T>().read(n, {}); },
-            [](const T& v, const FieldInfo&) { return fields<T>().write(v); }};
+            [](const T& v, const FieldInfo&) { return fields<T>().write(v); },
+            [](T& v, const FieldInfo&, const std::string& key, const NumberVisitor& visit) {
+              fields<T>().numbers(v, key + ".", visit);
+            }};
+  }
+
+  static void one_number(double& x, const FieldInfo& info, const std::string& key,
+                         const NumberVisitor& visit) {
+    visit({key, info.unit, info.range}, x, [&x](double value) { x = value; });
+  }
+  template <class T>
+  static void listed_numbers(T& list, const FieldInfo& info, const std::string& key,
+                             const NumberVisitor& visit) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+      one_number(list[i], info, key + "." + std::to_string(i + 1), visit);
   }
 
   template <class T>

@@ -25,6 +25,7 @@ struct Stenosis : lumped::TwoTerminal {
   }
   std::vector<lumped::Terminal> terminals() const { return lumped::two_ends(*this, std::nullopt); }
 };
+void declare(config::Fields<Stenosis>&) {}
 
 constexpr double R = 1e7, K = 5e11, C = 1e-9, Rd = 1e8;
 

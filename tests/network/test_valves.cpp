@@ -45,6 +45,25 @@ TEST(Valves, InertanceDelaysTheClosure) {
   }
 }
 
+/// At the start nothing flows and nothing pushes: the guard of the switch is zero, and leaves it to the open side.
+TEST(Valves, LeakingInertanceOpensFromNothing) {
+  const double R = 4e7, L = 5e6, Z2 = R * R + w * w * L * L;
+  for (Method method : {Method::runge_kutta, Method::ida}) {
+    Network n(
+        model(sine + load +
+              "v: {type: valve, from: A, to: B, R: 1e7 Pa.s/m3, L: 5e6 Pa.s2/m3, R_closed: 9e7 Pa.s/m3}\n"),
+        {}, {.method = method});
+    for (int i = 1; i <= 20; ++i) {
+      run_to(n, 0.0237 * i);
+      const double t = n.time();
+      const double q =
+          1000 / Z2 * (R * std::sin(w * t) - w * L * std::cos(w * t) + w * L * std::exp(-R / L * t));
+      EXPECT_NEAR(series(n, "q:v_m3_s"), q, 1e-6 * 1000 / R) << t;
+      EXPECT_EQ(series(n, "x:v.open"), 1) << t;
+    }
+  }
+}
+
 /// A compliance behind a tight valve keeps the highest pressure it has seen.
 TEST(Valves, PeakIsHeld) {
   Network n(model(

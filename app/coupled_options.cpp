@@ -36,12 +36,6 @@ coupling::SchemeKind scheme_of(Scheme scheme) {
 
 }  // namespace
 
-double start_ramp(const FlowScales& scales) {
-  const double c =
-      scales.wall.pulse_speed > 0 ? scales.wall.effective_speed(scales.sound_speed) : scales.sound_speed;
-  return std::max(0.01, 3.0 * scales.length / c);
-}
-
 coupling::CoupledOptions coupled_options(const Case& study, const FlowScales& scales) {
   const double exchange = study.coupling.exchange.value_or(0.0);
   const auto& prestress = study.vessel->wall.prestress;

@@ -8,9 +8,6 @@ namespace ostium::app {
 template <int D>
 sph3d::FluidOptions<D> fluid_options(const Case& study, const FlowScales& scales);
 
-/// s, over which prescribed flows and the load on a moving wall rise at the start.
-double start_ramp(const FlowScales& scales);
-
 coupling::CoupledOptions coupled_options(const Case& study, const FlowScales& scales);
 
 }  // namespace ostium::app

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ostium::app {
 namespace {
@@ -11,6 +12,7 @@ constexpr int samples = 500;
 
 struct Inflow {
   double peak = 0, rate = 0;  // m3/s, m3/s2: of all prescribed flows together
+  double first = 0;           // m3/s, the same at the start
   double speed = 0;           // m/s, mean velocity at the opening
 };
 
@@ -33,6 +35,7 @@ Inflow inflow_of(const Setup<D>& setup, const network::Network& network, double 
       inflow.speed = std::max(inflow.speed, peak_factor<D>(setup.profiles[k]) * q / network.port(k).area);
     }
     inflow.peak = std::max(inflow.peak, sum);
+    if (i == 0) inflow.first = sum;
     if (i > 0) inflow.rate = std::max(inflow.rate, std::abs(sum - before) * samples / span);
     before = sum;
   }
@@ -73,19 +76,28 @@ void check_sound_speed(const Case& study, double speed) {
 
 }  // namespace
 
+/// Two periods of the blood that swings between an inlet of prescribed flow and an outlet of prescribed pressure (a quarter
+/// wave), of which a half cosine then excites 3 %; where the wall moves, three transits of its waves.
+double start_ramp(const FlowScales& scales) {
+  const bool moves = scales.wall.pulse_speed > 0;
+  const double transits = moves ? 3.0 : 8.0,
+               c = moves ? scales.wall.effective_speed(scales.sound_speed) : scales.sound_speed;
+  return std::max(0.01, transits * scales.length / c);
+}
+
 template <int D>
 FlowScales flow_scales(const Case& study, const Setup<D>& setup, const std::optional<network::Start>& start) {
   const network::Network network(setup.model, setup.ports);
   const Inflow inflow = inflow_of(setup, network, study.time.period.value_or(study.time.final()));
   const auto share = shares(network, start);
   FlowScales scales;
-  double rate = 0;  // m/s2
+  double widest = 0;  // 1/m2, mean velocity over the inflow, largest
   scales.speed = std::max(inflow.speed, least_speed);
   for (int k = 0; k < network.port_count(); ++k) {
     const double factor = peak_factor<D>(sph3d::Profile::parabolic) * share[k] / network.port(k).area;
     scales.speed =
         std::max(scales.speed, 0.75 * factor * inflow.peak);  // outlets are short of a full parabola
-    rate = std::max(rate, share[k] * inflow.rate / network.port(k).area);
+    widest = std::max(widest, share[k] / network.port(k).area);
   }
   check_sound_speed(study, scales.speed);
   const double rho = study.fluid.density;
@@ -93,7 +105,9 @@ FlowScales flow_scales(const Case& study, const Setup<D>& setup, const std::opti
   scales.wall = wall_scales(study, setup.lumen);
   scales.sound_speed = study.fluid.sound_speed.value_or(
       std::max(10.0 * scales.speed, sound_over_pulse * scales.wall.pulse_speed));
-  scales.inner_pressure = 0.5 * rho * scales.speed * scales.speed + rho * scales.length * rate;
+  const double rise = 0.5 * std::numbers::pi * inflow.first / start_ramp(scales);  // m3/s2, a half cosine
+  scales.inner_pressure =
+      0.5 * rho * scales.speed * scales.speed + rho * scales.length * widest * std::max(inflow.rate, rise);
   scales.datum_time =
       study.coupling.datum_time.value_or(std::clamp(0.125 * scales.length / scales.sound_speed, 2e-3, 5e-3));
   scales.background = scales.inner_pressure + seen_swing(start, scales.datum_time);

@@ -238,11 +238,11 @@ TEST_F(Resume, FromAnotherFormat) {
 
 TEST_F(Resume, NumericsErrorsSaveTheLastSoundState) {
   write("case.yaml", channel);
-  // sound for 0.2 s, then ten times faster than the sound speed chosen from the first period
+  // sound for 0.3 s, then ten times faster than the sound speed chosen from the first period
   const std::string pump =
-      " --set 'network.blocks.pump.velocity={times: [0, 0.2, 0.21, 1], values: [0.1, 0.1, 20, 20], unit: "
+      " --set 'network.blocks.pump.velocity={times: [0, 0.3, 0.31, 1], values: [0.1, 0.1, 20, 20], unit: "
       "m/s, "
-      "time_unit: s}' --set network.initial=rest --set 'time={period: 0.1 s, end: 0.4 s}'";
+      "time_unit: s}' --set network.initial=rest --set 'time={period: 0.1 s, end: 0.5 s}'";
   const Outcome outcome = ostium("run case.yaml -q -o stopped" + pump);
   EXPECT_EQ(outcome.code, 3) << outcome.text;
   EXPECT_THAT(outcome.text, HasSubstr("numerics error: the flow has blown up"));
@@ -250,9 +250,9 @@ TEST_F(Resume, NumericsErrorsSaveTheLastSoundState) {
   EXPECT_THAT(outcome.text, HasSubstr("-o stopped --resume --set numerics.acoustic_cfl=0.3"));
   EXPECT_EQ(summary("stopped")["status"], "failed");
   const Outcome resumed = ostium("run case.yaml -q -o stopped --resume --set numerics.acoustic_cfl=0.3" +
-                                 pump + " --set 'time={period: 0.1 s, end: 0.2 s}'");
+                                 pump + " --set 'time={period: 0.1 s, end: 0.3 s}'");
   EXPECT_EQ(resumed.code, 0) << resumed.text;
-  EXPECT_NEAR(summary("stopped")["time"]["reached_s"].get<double>(), 0.2, 1e-12);
+  EXPECT_NEAR(summary("stopped")["time"]["reached_s"].get<double>(), 0.3, 1e-12);
 }
 
 }  // namespace

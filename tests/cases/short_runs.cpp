@@ -37,7 +37,7 @@ TEST_F(ShortCase, ClosedLoopIsThatOfAnotherIntegrator) {
 }
 
 TEST_F(ShortCase, Poiseuille2d) {
-  run("poiseuille_2d", "--threads 1 --set 'vessel.spacing=0.1 mm' --set 'time.end=0.05 s'");
+  run("poiseuille_2d", "--threads 1 --set 'vessel.spacing=0.1 mm' --set 'time.end=0.15 s'");
   EXPECT_TRUE(exists("results/fields/fluid.pvd"));
   EXPECT_TRUE(exists("results/fields/wall.pvd"));
   const auto all = ports();
@@ -48,7 +48,7 @@ TEST_F(ShortCase, Poiseuille2d) {
 TEST_F(ShortCase, Poiseuille3d) {
   const auto tube = geometry("tube --radius '0.5 mm' --length '2 mm'");
   run("poiseuille_3d",
-      "--threads 1 --surface '" + tube.string() + "' --set 'vessel.spacing=0.1 mm' --set 'time.end=45 ms'");
+      "--threads 1 --surface '" + tube.string() + "' --set 'vessel.spacing=0.1 mm' --set 'time.end=80 ms'");
   EXPECT_NEAR(ports().at("inlet").flow_out.value.back(), -4.9087e-9, 0.05 * 4.9087e-9);
 }
 

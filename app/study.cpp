@@ -85,7 +85,8 @@ class StudySession {
   void begin(const std::vector<std::string>& names) {
     if (options_.svzerod) svzerod_.emplace(study_, names);
     recorder_.emplace(study_, options_.case_name, options_.folder, effective_case(study_, model_),
-                      Recorder::Names{{}, names, elements_of(model_)}, saved_ ? std::optional(saved_->recorded) : std::nullopt);
+                      Recorder::Names{{}, names, elements_of(model_)},
+                      saved_ ? std::optional(saved_->recorded) : std::nullopt);
     log::info("{}: {} blocks, {} series, to {:.4g} s", options_.case_name, model_.entries.size(),
               names.size(), end_);
     if (saved_) log::info("the run goes on from {:.6g} s", start_time());

@@ -33,7 +33,8 @@ TEST_F(ShortCase, ClosedLoopIsThatOfAnotherIntegrator) {
   expect_same("p:central.PV_Pa", "left_atrium_Pa", 1.3);
   const auto derived = summary()["derived"];
   EXPECT_NEAR(derived["flow_splits"]["aorta"]["organs.upper"]["value"].get<double>(), 0.3, 1e-6);
-  EXPECT_NEAR(derived["chambers"]["central.heart.lv"]["ejection_fraction"]["value"].get<double>(), 0.646, 0.005);
+  EXPECT_NEAR(derived["chambers"]["central.heart.lv"]["ejection_fraction"]["value"].get<double>(), 0.646,
+              0.005);
 }
 
 TEST_F(ShortCase, Poiseuille2d) {

@@ -30,13 +30,13 @@ Vessel<D> driven_vessel(const Lumen<D>& lumen) {
 }
 
 template <int D>
-void run_inflow(Vessel<D>& vessel, double end, double pressure = 300) {
+void run_inflow(Vessel<D>& vessel, double end) {
   std::vector<Drive> drives(2);
   const double area = vessel.model().ducts[0].opening().area;
   while (vessel.time() < end) {
     drives[0].since = vessel.time();
     drives[0].flow_in = 0.5 * area * std::sin(40 * vessel.time());
-    drives[1].law = {.p_star = pressure, .resistance = 2e4 * (D == 2 ? 1.0 : 1000)};
+    drives[1].law = {.p_star = 300, .resistance = 2e4 * (D == 2 ? 1.0 : 1000)};
     vessel.advance(1, drives, 0.01);
   }
 }

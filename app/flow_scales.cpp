@@ -77,7 +77,7 @@ void check_sound_speed(const Case& study, double speed) {
 }  // namespace
 
 /// Two periods of the blood that swings between an inlet of prescribed flow and an outlet of prescribed pressure (a quarter
-/// wave), of which a half cosine then excites 3 %; where the wall moves, three transits of its waves.
+/// wave), which a half cosine then leaves all but at rest; where the wall moves, three transits of its waves.
 double start_ramp(const FlowScales& scales) {
   const bool moves = scales.wall.pulse_speed > 0;
   const double transits = moves ? 3.0 : 8.0,

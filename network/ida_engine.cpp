@@ -1,7 +1,6 @@
 #include <idas/idas.h>
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_klu.h>
-#include <sunmatrix/sunmatrix_sparse.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "network/engine.hpp"
+#include "network/ida_jacobian.hpp"
 
 namespace ostium::network {
 
@@ -17,10 +17,7 @@ namespace {
 class IdaEngine final : public Engine {
  public:
   IdaEngine(const System& system, Consistent& consistent, double relative_tolerance)
-      : system_(system),
-        consistent_(consistent),
-        d_y_(system.pattern().nonZeros()),
-        d_dy_(system.pattern().nonZeros()) {
+      : system_(system), consistent_(consistent), jacobian_(system) {
     check(SUNContext_Create(nullptr, &context_), "SUNContext_Create");
     y_ = N_VNew_Serial(system.size(), context_);
     dy_ = N_VNew_Serial(system.size(), context_);
@@ -133,8 +130,7 @@ class IdaEngine final : public Engine {
     check(IDASetUserData(ida_, this), "IDASetUserData");
     check(IDASetMaxNumSteps(ida_, 200000), "IDASetMaxNumSteps");
     check(IDASetErrFile(ida_, nullptr), "IDASetErrFile");
-    matrix_ =
-        SUNSparseMatrix(system_.size(), system_.size(), system_.pattern().nonZeros(), CSC_MAT, context_);
+    matrix_ = jacobian_.matrix(context_);
     solver_ = SUNLinSol_KLU(y_, matrix_, context_);
     check(IDASetLinearSolver(ida_, solver_, matrix_), "IDASetLinearSolver");
     check(IDASetJacFn(ida_, jacobian), "IDASetJacFn");
@@ -157,12 +153,7 @@ class IdaEngine final : public Engine {
 
   static int jacobian(double t, double cj, N_Vector y, N_Vector dy, N_Vector, SUNMatrix J, void* user,
                       N_Vector, N_Vector, N_Vector) {
-    auto& self = *static_cast<IdaEngine*>(user);
-    self.system_.jacobian(t, data(y), data(dy), self.d_y_.data(), self.d_dy_.data());
-    const auto& pattern = self.system_.pattern();
-    std::copy_n(pattern.outerIndexPtr(), pattern.cols() + 1, SM_INDEXPTRS_S(J));
-    std::copy_n(pattern.innerIndexPtr(), pattern.nonZeros(), SM_INDEXVALS_S(J));
-    for (int k = 0; k < pattern.nonZeros(); ++k) SM_DATA_S(J)[k] = self.d_y_[k] + cj * self.d_dy_[k];
+    static_cast<IdaEngine*>(user)->jacobian_.write(t, data(y), data(dy), cj, J);
     return 0;
   }
 
@@ -189,7 +180,7 @@ class IdaEngine final : public Engine {
   Consistent& consistent_;
   const Flows* flows_ = nullptr;
   Rows* rows_ = nullptr;
-  std::vector<double> d_y_, d_dy_;
+  IdaJacobian jacobian_;
   SUNContext context_ = nullptr;
   N_Vector y_ = nullptr, dy_ = nullptr, row_ = nullptr, kinds_ = nullptr, tolerance_ = nullptr;
   SUNMatrix matrix_ = nullptr;

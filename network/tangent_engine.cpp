@@ -3,12 +3,12 @@
 #include <idas/idas.h>
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_klu.h>
-#include <sunmatrix/sunmatrix_sparse.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "network/ida_jacobian.hpp"
 #include "network/march.hpp"
 
 namespace ostium::network {
@@ -30,8 +30,7 @@ class TangentEngine::Ida final : public Interpolant {
         consistent_(consistent),
         tangent_(tangent),
         flow_(system.ports().size(), 0.0),
-        d_y_(system.pattern().nonZeros()),
-        d_dy_(system.pattern().nonZeros()),
+        jacobian_(system),
         value_(system.size()),
         S_(Eigen::MatrixXd::Zero(system.size(), tangent.count())),
         dS_(S_) {
@@ -192,8 +191,7 @@ class TangentEngine::Ida final : public Interpolant {
     check(IDASetSuppressAlg(ida_, SUNTRUE), "IDASetSuppressAlg");
     check(IDASetUserData(ida_, this), "IDASetUserData");
     check(IDASetErrFile(ida_, nullptr), "IDASetErrFile");
-    matrix_ =
-        SUNSparseMatrix(system_.size(), system_.size(), system_.pattern().nonZeros(), CSC_MAT, context_);
+    matrix_ = jacobian_.matrix(context_);
     solver_ = SUNLinSol_KLU(y_, matrix_, context_);
     check(IDASetLinearSolver(ida_, solver_, matrix_), "IDASetLinearSolver");
     check(IDASetJacFn(ida_, jacobian), "IDASetJacFn");
@@ -238,12 +236,7 @@ class TangentEngine::Ida final : public Interpolant {
 
   static int jacobian(double t, double cj, N_Vector y, N_Vector dy, N_Vector, SUNMatrix J, void* user,
                       N_Vector, N_Vector, N_Vector) {
-    auto& self = *static_cast<Ida*>(user);
-    self.system_.jacobian(t, data(y), data(dy), self.d_y_.data(), self.d_dy_.data());
-    const auto& pattern = self.system_.pattern();
-    std::copy_n(pattern.outerIndexPtr(), pattern.cols() + 1, SM_INDEXPTRS_S(J));
-    std::copy_n(pattern.innerIndexPtr(), pattern.nonZeros(), SM_INDEXVALS_S(J));
-    for (int k = 0; k < pattern.nonZeros(); ++k) SM_DATA_S(J)[k] = self.d_y_[k] + cj * self.d_dy_[k];
+    static_cast<Ida*>(user)->jacobian_.write(t, data(y), data(dy), cj, J);
     return 0;
   }
 
@@ -251,7 +244,8 @@ class TangentEngine::Ida final : public Interpolant {
   Consistent& consistent_;
   Tangent& tangent_;
   Watcher* watcher_ = nullptr;
-  std::vector<double> flow_, d_y_, d_dy_;
+  std::vector<double> flow_;
+  IdaJacobian jacobian_;
   Eigen::VectorXd value_;
   Eigen::MatrixXd S_, dS_, seen_;
   std::optional<Eigen::RowVectorXd> tau_;  // of the event the next step begins at

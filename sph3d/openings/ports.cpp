@@ -36,16 +36,21 @@ void drive_by_pressure(const Model<D>& model, VesselState<D>& state, Workspace<D
   const auto density_of = [&](const Zone<D>::Member& member) {
     return model.options.density * model.density_ratio(state.fluid.psi(member.index));
   };
-  double q_tilde = 0, beta = 0;
+  double q_tilde = 0, beta = 0, friction = 0;
   for (const auto& member : work.zones[k].members) {
-    q_tilde += V * member.drive * state.fluid.velocity(member.index).dot(n);
+    const double vn = state.fluid.velocity(member.index).dot(n);
+    q_tilde += V * member.drive * vn;
     beta += V * member.drive * member.drive / density_of(member);
+    friction += state.fluid.clusters[member.index / 8].friction[member.index % 8] * vn;
   }
   PortLaw law = port.filter.corrected(state.datum.relative(drive.law.at(state.time + dt - drive.since)));
-  const double inertia = duct_inertia(model, k, drive.law.resistance, filter_time) * port.flow_rate;
-  law.p_star -= inertia;
+  // what the pressure loses between the cap and the outer face
+  const double in_duct = duct_inertia(model, k, drive.law.resistance, filter_time) * port.flow_rate +
+                         model.options.density * (V * friction / model.ducts[k].opening().area -
+                                                  model.options.gravity.dot(n) * model.ducts[k].length());
+  law.p_star -= in_duct;
   port.face_pressure = implicit_port_pressure(law, q_tilde, beta * dt);
-  port.pressure = port.face_pressure + inertia + state.datum.reference;
+  port.pressure = port.face_pressure + in_duct + state.datum.reference;
   port.conjugate = q_tilde - beta * dt * port.face_pressure;
   port.filter.step_conjugate(port.conjugate, dt, filter_time);
   for (const auto& member : work.zones[k].members) {

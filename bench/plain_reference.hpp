@@ -17,6 +17,14 @@ struct Neighbourhood {
   std::vector<Vec<D>> e;           // from j to i
 };
 
+/// What the wall pushes with: the part of B grad S across it.
+template <int D>
+Vec<D> across_wall(const Mat<D>& B, const Vec<D>& wall) {
+  if (wall.norm() == 0.0) return wall;
+  const Vec<D> n = wall.normalized();
+  return n.dot(B * wall) * n;
+}
+
 template <int D>
 struct Particle {
   Vec<D> x = Vec<D>::Zero(), v = x, diss = x, prior = x, gradient = x, G = x, imbalance = x, wall = x,
@@ -82,7 +90,7 @@ struct Fluid {
       Particle<D>& p = particles[i];
       const Neighbourhood<D>& n = neighbours[i];
       p.wall_density = density_ratio(p);  // frozen with B
-      p.G = 2.0 * p.wall_density * p.B * p.wall, p.viscous.setZero();
+      p.G = 2.0 * p.wall_density * across_wall<D>(p.B, p.wall), p.viscous.setZero();
       Vec<D> gradient = Vec<D>::Zero();
       for (std::size_t k = 0; k < n.j.size(); ++k) {
         const Particle<D>& q = particles[n.j[k]];
@@ -103,7 +111,7 @@ struct Fluid {
       Particle<D>& p = particles[i];
       const Neighbourhood<D>& n = neighbours[i];
       const double P = c * c * p.psi / density_ratio(p);
-      Vec<D> force = 2.0 * P * p.wall_density * p.B * p.wall, gradient = Vec<D>::Zero();
+      Vec<D> force = 2.0 * P * p.wall_density * across_wall<D>(p.B, p.wall), gradient = Vec<D>::Zero();
       double jump = 0;
       for (std::size_t k = 0; k < n.j.size(); ++k) {
         const Particle<D>& q = particles[n.j[k]];

@@ -85,9 +85,10 @@ void DeformableWall<D>::after_kick(const Model<D>& model, const FluidState<D>& f
   for_attached(fluid, motion_, [&](std::size_t cluster, std::size_t lane, std::size_t i) {
     const Cluster<D>& own = fluid.clusters[cluster];
     const Vec<D> slip = lane_vector<D>(own.v, lane) - lane_vector<D>(motion_.velocity()[cluster].v, lane);
-    on_wall_[i] = impact_[i] + mass * (2.0 * c * c * own.psi[lane] *
-                                           (lane_matrix<D>(own.B, lane) * lane_vector<D>(own.wall, lane)) +
-                                       double(own.friction[lane]) * slip);
+    const Vec<D> wall = lane_vector<D>(own.wall, lane), n = wall.normalized();
+    const double push = n.dot(lane_matrix<D>(own.B, lane) * wall);
+    on_wall_[i] =
+        impact_[i] + mass * (2.0 * c * c * own.psi[lane] * push * n + double(own.friction[lane]) * slip);
   });
 }
 

@@ -230,9 +230,10 @@ void compare_whole_step(const Lumen<D>& lumen, std::size_t least_particles) {
       acceleration.add(Vec<D>(a - b), a);
       rate.add(r.rate - own.rate[lane], r.rate);
       const double c2 = constants.c2;
-      const Vec<D> force = 2 * c2 * r.psi * r.B * r.wall + r.friction * r.v;
-      const Vec<D> engine_force = 2 * c2 * own.psi[lane] * lane_matrix<D>(own.B, lane) * r.wall +
-                                  own.friction[lane] * p.fluid.velocity(i);
+      const Vec<D> force = 2 * c2 * r.psi * plain::across_wall<D>(r.B, r.wall) + r.friction * r.v;
+      const Vec<D> engine_force =
+          2 * c2 * own.psi[lane] * plain::across_wall<D>(lane_matrix<D>(own.B, lane), r.wall) +
+          own.friction[lane] * p.fluid.velocity(i);
       wall_force.add(Vec<D>(force - engine_force), force);
     }
   }

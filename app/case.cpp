@@ -7,7 +7,9 @@
 namespace ostium::app {
 
 network::Initial Case::initial() const {
-  return network.initial.value_or(time.period ? network::Initial::periodic : network::Initial::rest);
+  if (network.initial) return *network.initial;
+  return network.periodic.value_or(time.period.has_value()) ? network::Initial::periodic
+                                                            : network::Initial::rest;
 }
 
 namespace {
@@ -35,9 +37,10 @@ Case read_case(const std::filesystem::path& file, const Overrides& overrides) {
   for (const auto& [path, value] : overrides.values) node = node.with_value(path, value);
   Case study = config::read<Case>(node);
   study.network.blocks = network::expand(study.network.blocks, std::exchange(study.network.subnetworks, {}));
-  if (study.network.initial == network::Initial::periodic && !study.time.period)
-    study.origin.at("network").at("initial").error(
-        "a start from the periodic state needs \"time.period\"; add it, or choose \"rest\"");
+  if (study.initial() == network::Initial::periodic && !study.time.period)
+    study.origin.at("network")
+        .at(study.network.initial ? "initial" : "periodic")
+        .error("a start from the periodic state needs \"time.period\"; add it, or choose \"rest\"");
   check_rows(study);
   return study;
 }

@@ -49,6 +49,7 @@ struct NetworkCase {
   config::Node blocks;  // without uses of subnetworks: read_case has replaced them
   std::optional<config::Node> subnetworks;
   std::optional<network::Initial> initial;
+  std::optional<bool> periodic;  // the same as yes or no
 };
 
 enum class Scheme { linearised, held, extrapolated, modified_euler };
@@ -79,6 +80,12 @@ struct OutputCase {
   SvzerodCase svzerod;
 };
 
+/// Derivatives of results with respect to parameters, for a network alone.
+struct SensitivityCase {
+  std::vector<std::string> of, to;
+  config::Node origin;
+};
+
 /// Numbers of the methods; a user needs none of them.
 struct NumericsCase {
   double advection_cfl = 0, acoustic_cfl = 0, shift = 0, limiter = 0, density_relaxation = 0;
@@ -94,6 +101,7 @@ struct Case {
   TimeCase time;
   OutputCase output;
   NumericsCase numerics;
+  std::optional<SensitivityCase> sensitivities;
   config::Node origin;
 
   /// As the case says, else periodic where the case has a period.
@@ -109,6 +117,7 @@ void declare(config::Fields<TimeCase>&);
 void declare(config::Fields<SvzerodCase>&);
 void declare(config::Fields<OutputCase>&);
 void declare(config::Fields<NumericsCase>&);
+void declare(config::Fields<SensitivityCase>&);
 void declare(config::Fields<Case>&);
 
 /// What the command line changes in a case: another surface, values at dotted paths ("time.cycles", "1").

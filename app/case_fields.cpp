@@ -96,6 +96,24 @@ void declare(config::Fields<NetworkCase>& f) {
            {{"periodic", network::Initial::periodic}, {"rest", network::Initial::rest}},
            "start from the periodic state of the network or from rest; without it periodic where "
            "`time.period` is given");
+  f.flag("periodic", &NetworkCase::periodic,
+         "true: the same as `initial: periodic`, false: as `initial: rest`");
+  f.check([](const NetworkCase& n) -> std::string {
+    if (!n.initial || !n.periodic) return {};
+    return "give either \"initial\" or \"periodic\", not both: they say the same";
+  });
+}
+
+void declare(config::Fields<SensitivityCase>& f) {
+  f.texts("of", &SensitivityCase::of,
+          "results: `mean S`, `max S`, `min S`, `pulse S`, `ejection_fraction V`, `stroke_volume V` (or of a "
+          "flow Q), "
+          "`flow_split Q / Q0`, where S is a series of network.csv such as p:Ao, V a volume, Q a flow");
+  f.texts(
+      "to", &SensitivityCase::to,
+      "parameters: `BLOCK.KEY` with a key the case gives, `body.Rd`, `lv.activation.duration`; of a waveform "
+      "`heart.flow.factor`, `heart.flow.shift`, `heart.flow.fourier.mean`, `.cos.1`, `.sin.1`");
+  f.origin(&SensitivityCase::origin);
 }
 
 void declare(config::Fields<CouplingCase>& f) {
@@ -196,6 +214,8 @@ void declare(config::Fields<Case>& f) {
   f.section("time", &Case::time, "how long to run").required();
   f.section("output", &Case::output, "what is written");
   f.section("numerics", &Case::numerics, "advanced: numbers of the methods");
+  f.section("sensitivities", &Case::sensitivities,
+            "without a vessel: how results over the last period depend on parameters, in sensitivities.csv");
   f.origin(&Case::origin);
 }
 

@@ -19,7 +19,7 @@ config::Tree blocks_of(const network::Model& model) {
 
 std::string effective_case(const Case& study, const network::Model& model) {
   Case resolved = study;
-  resolved.network.initial = study.initial();
+  resolved.network.initial = study.initial(), resolved.network.periodic.reset();
   config::Tree tree = config::write(resolved);
   *find(*find(tree, "network"), "blocks") = blocks_of(model);
   if (study.vessel && study.vessel->outline && study.vessel->outline->is_scalar())

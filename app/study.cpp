@@ -6,6 +6,7 @@
 #include "app/effective.hpp"
 #include "app/interrupt.hpp"
 #include "app/results/recorder.hpp"
+#include "app/results/sensitivity_output.hpp"
 #include "app/results/svzerod_csv.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
@@ -78,17 +79,20 @@ class StudySession {
                   stopped_ = interrupted() && t < end_;
                   return !stopped_;
                 },
-            .keep = [this](const network::State& state) { keep(state); }};
+            .keep = [this](const network::State& state) { keep(state); },
+            .periodic = [this](const network::PeriodicReport& report) { periodic_ = report; }};
   }
 
   /// Nothing can be wrong with the input any more.
   void begin(const std::vector<std::string>& names) {
+    sought_ = sought(study_, model_, names);
     if (options_.svzerod) svzerod_.emplace(study_, names);
     recorder_.emplace(study_, options_.case_name, options_.folder, effective_case(study_, model_),
                       Recorder::Names{{}, names, elements_of(model_)},
                       saved_ ? std::optional(saved_->recorded) : std::nullopt);
     log::info("{}: {} blocks, {} series, to {:.4g} s", options_.case_name, model_.entries.size(),
               names.size(), end_);
+    if (periodic_) log::info("{}", periodic_line(*periodic_));
     if (saved_) log::info("the run goes on from {:.6g} s", start_time());
   }
 
@@ -98,13 +102,23 @@ class StudySession {
   }
 
   int finish() {
-    recorder_->finish(Status::finished, {{"rows", rows_}});
+    recorder_->finish(Status::finished, facts());
     if (svzerod_) recorder_->flush(), svzerod_->write(options_.folder);
     std::error_code ignored;
     std::filesystem::remove(options_.folder.checkpoint(), ignored);  // nothing to go on with
     log::info("{}", recorder_->table());
     log::info("results in {}", options_.folder.path().string());
     return exit_ok;
+  }
+
+  nlohmann::json facts() {
+    nlohmann::json all = {{"rows", rows_}};
+    if (periodic_) all["periodic_state"] = periodic_json(*periodic_);
+    if (sought_.of.empty() || sought_.to.empty()) return all;
+    all["sensitivities"] = write_sensitivities(study_, model_, sought_, options_.folder);
+    log::info("{} sensitivities in {}", sought_.of.size() * sought_.to.size(),
+              options_.folder.file("sensitivities.csv").string());
+    return all;
   }
 
   int stop() {
@@ -123,6 +137,8 @@ class StudySession {
   std::optional<SavedStudy> saved_;
   std::optional<Recorder> recorder_;
   std::optional<SvzerodCsv> svzerod_;
+  std::optional<network::PeriodicReport> periodic_;
+  Sought sought_;
   std::int64_t rows_ = 0;
   bool stopped_ = false;
 };

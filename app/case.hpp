@@ -86,6 +86,27 @@ struct SensitivityCase {
   config::Node origin;
 };
 
+/// What a calibration of a network alone has to meet, and what it may change; values are texts with units, since their
+/// dimension is that of the result or the parameter.
+struct TargetCase {
+  std::string of, value, tolerance;
+  double weight = 1;
+  config::Node origin;
+};
+
+struct FreeParameterCase {
+  std::string name, low, high;
+  bool logarithmic = true;
+  config::Node origin;
+};
+
+struct CalibrationCase {
+  std::vector<TargetCase> targets;
+  std::vector<FreeParameterCase> parameters;
+  int most_runs = 60;
+  config::Node origin;
+};
+
 /// Numbers of the methods; a user needs none of them.
 struct NumericsCase {
   double advection_cfl = 0, acoustic_cfl = 0, shift = 0, limiter = 0, density_relaxation = 0;
@@ -102,6 +123,7 @@ struct Case {
   OutputCase output;
   NumericsCase numerics;
   std::optional<SensitivityCase> sensitivities;
+  std::optional<CalibrationCase> calibration;
   config::Node origin;
 
   /// As the case says, else periodic where the case has a period.
@@ -118,6 +140,9 @@ void declare(config::Fields<SvzerodCase>&);
 void declare(config::Fields<OutputCase>&);
 void declare(config::Fields<NumericsCase>&);
 void declare(config::Fields<SensitivityCase>&);
+void declare(config::Fields<TargetCase>&);
+void declare(config::Fields<FreeParameterCase>&);
+void declare(config::Fields<CalibrationCase>&);
 void declare(config::Fields<Case>&);
 
 /// What the command line changes in a case: another surface, values at dotted paths ("time.cycles", "1").

@@ -92,6 +92,7 @@ int run_program(int argc, char** argv) {
   add_preview(program);
   add_geometry(program);
   add_import(program);
+  add_calibrate(program);
   add_schema(program);
   add_reference(program);
   try {

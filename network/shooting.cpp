@@ -132,6 +132,7 @@ PeriodicReport anderson(Orbit& orbit) {
 
 MatrixXd further_invariants(const MatrixXd& M, const MatrixXd& c) {
   const auto n = M.rows();
+  if (n == 0) return MatrixXd(0, 0);
   MatrixXd joined(n, n + c.rows());
   joined << MatrixXd::Identity(n, n) - M, c.transpose();
   const Eigen::JacobiSVD<MatrixXd> svd(joined, Eigen::ComputeFullU);
@@ -142,6 +143,7 @@ MatrixXd further_invariants(const MatrixXd& M, const MatrixXd& c) {
 MatrixXd bordered(const Orbit& orbit, const MatrixXd& M, const MatrixXd& c, const MatrixXd& r,
                   const MatrixXd& given) {
   const auto n = M.rows(), k = c.rows();
+  if (n == 0) return MatrixXd(0, r.cols());
   MatrixXd A = MatrixXd::Zero(n + k, n + k), b(n + k, r.cols());
   A.topLeftCorner(n, n) = MatrixXd::Identity(n, n) - M;
   A.topRightCorner(n, k) = c.transpose(), A.bottomLeftCorner(k, n) = c;

@@ -59,6 +59,8 @@ class TangentEngine::Ida final : public Interpolant {
     watcher_ = watcher;
     tau_.reset();
     load(state, S);
+    // what has no rate of its own is under no control of error: it follows the sources by the length of the steps
+    check(IDASetMaxStep(ida_, (end - state.time) / 200), "IDASetMaxStep");
     consistent_.settle(state.time, flow_, data(y_), data(dy_));
     settle(state.time);
     double a = state.time;

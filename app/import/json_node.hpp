@@ -29,6 +29,7 @@ class JsonNode {
   static JsonNode parse(const std::string& text, const std::string& file_name = "model.json");
 
   const std::string& path() const { return path_; }
+  const Json& json() const { return *value_; }
   bool is_object() const;
   bool is_list() const;
 

@@ -59,9 +59,9 @@ TEST_F(SensitivityRuns, PeriodicStateIsAccountedFor) {
 
 TEST_F(SensitivityRuns, Refusals) {
   const std::tuple<std::string, std::string, std::string> all[] = {
-      {"body.C]", "body.D]", "rcr.yaml:7:3: sensitivities.to: there is no parameter \"body.D\""},
+      {"body.C]", "body.D]", "rcr.yaml:6:1: sensitivities.to: there is no parameter \"body.D\""},
       {"pulse p:root", "puls p:root",
-       "rcr.yaml:7:3: sensitivities.of: there is no index \"puls\"; did you mean \"pulse\"?"},
+       "rcr.yaml:6:1: sensitivities.of: there is no index \"puls\"; did you mean \"pulse\"?"},
       {"network:\n", "network:\n  initial: rest\n  periodic: true\n",
        "give either \"initial\" or \"periodic\", not both: they say the same"},
   };

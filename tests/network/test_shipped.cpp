@@ -103,7 +103,9 @@ TEST(Shipped, ClosedLoopIsAHealthyAdult) {
     output += series(n, "q:c.heart.aortic_m3_s") * 6e4 / m;
     for (const char* valve : {"mitral", "aortic", "tricuspid", "pulmonary"}) {
       const std::string name = std::string("c.heart.") + valve;
-      if (series(n, "x:" + name + ".open") == 0) EXPECT_EQ(series(n, "q:" + name + "_m3_s"), 0) << valve;
+      if (series(n, "x:" + name + ".open") == 0) {
+        EXPECT_EQ(series(n, "q:" + name + "_m3_s"), 0) << valve;
+      }
     }
   }
   EXPECT_NEAR(blood(n), before, 1e-10 * before);

@@ -22,14 +22,14 @@ template <int D>
 bool Duct<D>::before_cap(const Vec<D>& x) const {
   const Vec<D> r = x - opening_.centre;
   const double out = r.dot(opening_.normal);
-  return out <= 0.0 && out > -before * dp_ && (r - out * opening_.normal).norm() < radius_ + 0.5 * dp_;
+  return out <= 0.0 && out > -2.0 * dp_ && (r - out * opening_.normal).norm() < radius_ + 0.5 * dp_;
 }
 
 template <int D>
 bool Duct<D>::near(const Vec<D>& x, double distance) const {
   const Vec<D> r = x - opening_.centre;
   const double out = r.dot(opening_.normal);
-  if (out < -before * dp_ - distance || out > length_ + 3.0 * dp_ + distance) return false;
+  if (out < -2.0 * dp_ - distance || out > length_ + 3.0 * dp_ + distance) return false;
   return (r - out * opening_.normal).norm() < radius_ + 0.5 * dp_ + distance;
 }
 

@@ -25,8 +25,6 @@ template <int D>
 class Duct {
  public:
   static constexpr int layers = 6;
-  static constexpr double before =
-      4;  ///< spacings before the cap over which the pressure of the opening is read
 
   Duct(const Opening<D>& opening, double dp);
 
@@ -37,7 +35,7 @@ class Duct {
   /// Whether x lies in the duct: beyond the cap, before the outer face (with three spacings to spare) and near
   /// the axis.
   bool holds(const Vec<D>& x) const;
-  /// Whether x lies in the vessel near the cap: where the pressure of the opening is read.
+  /// Whether x lies in the vessel within two spacings of the cap: where the pressure of the opening is read.
   bool before_cap(const Vec<D>& x) const;
   /// Whether anything within this distance of x can lie in one or the other.
   bool near(const Vec<D>& x, double distance) const;

@@ -178,19 +178,6 @@ void insert_arrivals(const Model<D>& model, VesselState<D>& state, Workspace<D>&
   }
 }
 
-/// Density deviation at the cap: the line through the particles before it, of least squares.
-template <int D>
-double psi_at_cap(const Duct<D>& duct, const FluidState<D>& fluid, const Zone<D>& zone) {
-  double n = 0, x = 0, xx = 0, psi = 0, x_psi = 0;
-  for (const std::int32_t i : zone.before_cap) {
-    const double behind = duct.depth(fluid.position[i]) - duct.length(), value = fluid.psi(i);
-    n += 1.0, x += behind, xx += behind * behind;
-    psi += value, x_psi += behind * value;
-  }
-  const double spread = n * xx - x * x;
-  return spread > 0.1 * n * xx ? (xx * psi - x * x_psi) / spread : psi / n;
-}
-
 }  // namespace
 
 template <int D>
@@ -199,14 +186,15 @@ void count_ports(const Model<D>& model, VesselState<D>& state, Workspace<D>& wor
   for (std::size_t k = 0; k < state.ports.size(); ++k) {
     const Duct<D>& duct = model.ducts[k];
     const Zone<D>& zone = work.zones[k];
-    double crossed = 0;
+    double crossed = 0, psi = 0;
     for (const auto& member : zone.members)
       crossed += duct.crossed(duct.depth(state.fluid.position[member.index]));
+    for (const std::int32_t i : zone.before_cap) psi += state.fluid.psi(i);
     PortState& port = state.ports[k];
     port.counted = state.fluid.volume * crossed + port.deleted - port.inserted;
     if (!zone.before_cap.empty())
-      port.cap_pressure =
-          model.options.density * c * c * psi_at_cap(duct, state.fluid, zone) + state.datum.reference;
+      port.cap_pressure = model.options.density * c * c * psi / static_cast<double>(zone.before_cap.size()) +
+                          state.datum.reference;
     if (model.roles[k].flow_driven) port.pressure = port.cap_pressure;
   }
 }

@@ -75,14 +75,7 @@ class Calibration {
 
  private:
   static Source parts_of(const JsonNode& root) {
-    Source source{.root = root,
-                  .title = {},
-                  .run = {},
-                  .period = 1,
-                  .parts = {},
-                  .connections = {},
-                  .initial = {},
-                  .initial_rates = {}};
+    Source source(root);
     svzerod::read_parts(source);
     return source;
   }

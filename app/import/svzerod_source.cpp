@@ -120,14 +120,7 @@ void read_run(Source& source, std::vector<std::string>& notes) {
 }
 
 Source read_source(const JsonNode& root, std::vector<std::string>& notes) {
-  Source source{.root = root,
-                .title = {},
-                .run = {},
-                .period = 1,
-                .parts = {},
-                .connections = {},
-                .initial = {},
-                .initial_rates = {}};
+  Source source(root);
   root.at("simulation_parameters");
   read_parts(source);
   read_run(source, notes);

@@ -50,6 +50,8 @@ struct Run {
 };
 
 struct Source {
+  explicit Source(const JsonNode& file) : root(file) {}
+
   JsonNode root;
   std::string title;
   Run run;

@@ -6,8 +6,8 @@
 ///   flow-driven       v <- -n (Q/A) shape: a conveyor, Q with a small trim that makes the counted volume
 ///   follow exactly
 ///
-///   in the duct       the law holds at the cap, P acts at the outer face: less by the friction of the duct's wall and,
-///                     where the law has resistance enough, by the duct's inertance
+///   in the duct       the law holds at the cap, P acts at the outer face: less by the friction of the duct's wall, more by
+///                     its weight and, where the law has resistance enough, less by its inertance
 ///
 ///   conjugate flow    Q_c = sum V (v.n) drive           beta = sum V drive^2 / rho0
 ///

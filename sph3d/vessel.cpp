@@ -10,32 +10,11 @@
 #include "sph3d/openings/ports.hpp"
 #include "sph3d/openings/renewal.hpp"
 #include "sph3d/particles/fill.hpp"
+#include "sph3d/step/disorder.hpp"
 #include "sph3d/step/lane_access.hpp"
 #include "sph3d/step/prepare.hpp"
 
 namespace ostium::sph3d {
-
-namespace {
-
-/// Mean kernel sum of the relaxed fluid, of density 1 + psi: what it is at density 1, whatever its disorder does to the sum
-/// (about 0.5 %).
-template <int D>
-double undisturbed_density(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, double psi) {
-  freeze(model, fluid, work);
-  find_zones(model, fluid, work);
-  look_around(model, fluid, work);
-  kernel_sums(model, fluid, work);
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < fluid.places(); ++i) {
-    if (!fluid.filled[i] || work.duct_of[i] >= 0) continue;
-    sum += work.sums[i / 8].density[i % 8] + work.around[i / 8].filling[i % 8];
-    ++count;
-  }
-  return count > 0 ? sum / (static_cast<double>(count) * (1.0 + psi)) : model.number_density;
-}
-
-}  // namespace
 
 template <int D>
 Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::vector<OpeningRole> roles,
@@ -44,15 +23,16 @@ Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::ve
   state_.fluid = fill(*model, {.progress = progress});
   const double psi = pressure / (options.density * options.sound_speed * options.sound_speed);
   model->rest_volume = 1.0 / (1.0 + psi);
-  model->number_density = undisturbed_density(*model, state_.fluid, work_, psi);
-  model_ = std::move(model);
   for (std::size_t i = 0; i < state_.fluid.places(); ++i)
     if (state_.fluid.filled[i]) state_.fluid.psi(i) = static_cast<float>(psi);
+  model->number_density = undisturbed_sum(*model, state_.fluid, work_, psi);
+  model_ = std::move(model);
   state_.ports.resize(lumen.openings.size());
   for (auto& port : state_.ports) port.pressure = port.face_pressure = pressure;
   find_zones(*model_, state_.fluid, work_);
   count_ports(*model_, state_, work_);
   for (auto& port : state_.ports) port.counted_at_start = port.counted;
+  state_.content_at_start = content();
 }
 
 template <int D>
@@ -124,6 +104,10 @@ void Vessel<D>::prepare(double dt, double acoustic_dt, PhaseSeconds& seconds) {
     wall_->attach(state_.wall, state_.fluid);
   }
   prepare_step(*model_, state_.fluid, work_, dt, acoustic_dt, seconds);
+  if (!wall_) {
+    const Stopwatch watch(seconds.advection);
+    follow_content(*model_, state_, work_, dt);
+  }
 }
 
 template <int D>
@@ -322,9 +306,7 @@ void Vessel<D>::stop_leak(const std::vector<std::size_t>& gone) {
 
 template <int D>
 double Vessel<D>::content() const {
-  double volume = static_cast<double>(state_.fluid.count()) * state_.fluid.volume;
-  for (const auto& port : state_.ports) volume -= port.counted - port.deleted + port.inserted;
-  return volume;
+  return sph3d::content(state_);
 }
 
 template <int D>

@@ -85,6 +85,7 @@ void FluidState<D>::reorder(FluidState& spare) {
   const auto order = bisection_order<D>(points);
   const std::size_t total = (points.size() + 7) / 8 * 8;
   spare.volume = volume;
+  spare.disorder = disorder;
   resize_in_large_pages(spare.position, total);
   spare.filled.assign(total, 1);
   resize_in_large_pages(spare.clusters, total / 8);

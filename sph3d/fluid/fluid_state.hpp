@@ -7,6 +7,8 @@
 ///   position   of each place, in the frame of the input              m
 ///   clusters   velocity, density deviation and what steps carry on   see cluster.hpp
 ///   volume     V of every particle                                   m^D
+///   disorder   by how much the order of the particles has raised     -
+///              their mean kernel sum since the start, relative
 #pragma once
 #include <cstdint>
 #include <span>
@@ -22,7 +24,7 @@ struct FluidState {
   std::vector<Vec<D>> position;
   std::vector<std::uint8_t> filled;
   std::vector<Cluster<D>> clusters;
-  double volume = 0;
+  double volume = 0, disorder = 0;
 
   std::size_t places() const { return position.size(); }
   std::size_t count() const;

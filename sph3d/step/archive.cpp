@@ -46,6 +46,7 @@ void archive(Archive& a, PressureDatum& datum) {
 template <int D>
 void archive(Archive& a, FluidState<D>& fluid) {
   a("volume", fluid.volume);
+  a("disorder", fluid.disorder);
   a("filled", fluid.filled);
   a.template records<double>("position", fluid.position);
   a.template records<float>("clusters", fluid.clusters);
@@ -69,6 +70,7 @@ void archive(Archive& a, VesselState<D>& state) {
   a("time", state.time);
   a("max_speed", state.max_speed);
   a("max_acceleration", state.max_acceleration);
+  a("content_at_start", state.content_at_start);
   a("steps", state.steps);
   a("acoustic_steps", state.acoustic_steps);
   a("mirrored", state.mirrored);

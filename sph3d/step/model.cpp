@@ -47,7 +47,8 @@ Model<D>::Model(const Lumen<D>& lumen_, const FluidOptions<D>& o, std::vector<Op
       ducts(ducts_of(lumen_, o.dp)),
       origin(middle(lumen_)),
       particle_volume(std::pow(o.dp, D)),
-      number_density(lattice_sum(kernel, o.dp)) {
+      number_density(lattice_sum(kernel, o.dp)),
+      settling_time(4.0 * length_between_openings(lumen_) / o.sound_speed) {
   OSTIUM_ASSERT(roles.size() == lumen.openings.size(), "{} roles, {} openings", roles.size(),
                 lumen.openings.size());
   for (std::size_t k = 0; k < roles.size(); ++k) {

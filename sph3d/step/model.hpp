@@ -65,6 +65,7 @@ struct Model {
   double particle_volume;            // dp^D
   double number_density;             // sum W V of undisturbed fluid (density is measured against it)
   double rest_volume = 1;            // of a particle at the pressure of the start, over that at pressure 0
+  double settling_time;              // s, in which the scale of the kernel sums follows the counted content
 };
 
 extern template struct Model<2>;

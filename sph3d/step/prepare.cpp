@@ -47,6 +47,7 @@ void correct(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, do
   complete_moments(model, fluid, work);
   FluidConstants constants = constants_of(model);
   constants.correction = static_cast<float>(model.options.density_relaxation / dt);
+  constants.number_density = static_cast<float>(model.number_density * (1.0 + fluid.disorder));
   for_batches(fluid.clusters.size(), [&](std::size_t begin, std::size_t end) {
     fluid_kernels<D>().corrections(begin, end, fluid.clusters.data(), work.sums.data(), work.around.data(),
                                    work.matrix.data(), work.place.data(), constants,

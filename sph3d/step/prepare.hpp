@@ -1,8 +1,8 @@
 /// The preparation of an advection step (docs/theory/fluid.md, "One advection step", A), in this order:
 ///
 ///   freeze, find_zones, look_around, kernel_sums    see workspace.hpp
-///   correct             source = (theta / dt) (sigma/sigma_0 - 1 - psi), sigma = sum W V + filling: spread over
-///                       the acoustic steps, so that pressure never jumps;
+///   correct             source = (theta / dt) (sigma/sigma_0 - 1 - psi), sigma = sum W V + filling, sigma_0 with the
+///                       disorder there is: spread over the acoustic steps, so that pressure never jumps;
 ///                       B = M^-1, M = -sum r (x) grad W V + outside moments; rate of the wall friction
 ///                       writes source, B, friction; then psi takes the half step of density that the last acoustic
 ///                       step has left, of acoustic_dt, and the records their pressures

@@ -1,0 +1,61 @@
+#include "sph3d/step/disorder.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include "sph3d/step/lane_access.hpp"
+
+namespace ostium::sph3d {
+
+template <int D>
+double mean_sum(const Model<D>& model, const FluidState<D>& fluid, const Workspace<D>& work,
+                double otherwise) {
+  std::vector<double> sum(fluid.clusters.size());
+  std::vector<int> count(fluid.clusters.size());
+  for_batches(sum.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+      for (std::size_t lane = 0; lane < 8; ++lane) {
+        if (!fluid.filled[8 * c + lane] || work.duct_of[8 * c + lane] >= 0) continue;
+        const double ratio = model.density_ratio(fluid.clusters[c].psi[lane]);
+        sum[c] += work.sums[c].density[lane] + ratio * work.around[c].filling[lane];
+        ++count[c];
+      }
+  });
+  const int particles = std::accumulate(count.begin(), count.end(), 0);
+  return particles > 0 ? std::accumulate(sum.begin(), sum.end(), 0.0) / particles : otherwise;
+}
+
+template <int D>
+double undisturbed_sum(const Model<D>& model, FluidState<D>& fluid, Workspace<D>& work, double psi) {
+  freeze(model, fluid, work);
+  find_zones(model, fluid, work);
+  look_around(model, fluid, work);
+  kernel_sums(model, fluid, work);
+  return mean_sum(model, fluid, work, model.number_density * (1.0 + psi)) / (1.0 + psi);
+}
+
+template <int D>
+double content(const VesselState<D>& state) {
+  double volume = static_cast<double>(state.fluid.count()) * state.fluid.volume;
+  for (const auto& port : state.ports) volume -= port.counted - port.deleted + port.inserted;
+  return volume;
+}
+
+template <int D>
+void follow_content(const Model<D>& model, VesselState<D>& state, const Workspace<D>& work, double dt) {
+  if (!(state.content_at_start > 0.0)) return;
+  const double counted = content(state) / (state.content_at_start * model.rest_volume);
+  const double sigma = model.number_density * (1.0 + state.fluid.disorder);
+  const double summed = mean_sum(model, state.fluid, work, sigma * counted) / sigma;
+  state.fluid.disorder += -std::expm1(-dt / model.settling_time) * (summed - counted);
+}
+
+#define OSTIUM_INSTANTIATE(D)                                                                   \
+  template double mean_sum(const Model<D>&, const FluidState<D>&, const Workspace<D>&, double); \
+  template double undisturbed_sum(const Model<D>&, FluidState<D>&, Workspace<D>&, double);      \
+  template double content(const VesselState<D>&);                                               \
+  template void follow_content(const Model<D>&, VesselState<D>&, const Workspace<D>&, double);
+OSTIUM_INSTANTIATE(2)
+OSTIUM_INSTANTIATE(3)
+
+}  // namespace ostium::sph3d

@@ -199,8 +199,9 @@ int move_cluster(const Model<D>& model, FluidState<D>& fluid, const Workspace<D>
     for (int d = 0; d < D; ++d) position[d] += way[d][lane];
     const Vec<D> with_wall = motion ? motion->moved(8 * c + lane) : Vec<D>(Vec<D>::Zero());
     if (expected[lane] - with_wall.dot(lane_vector<D>(own.wall, lane)) < 0.4) continue;
-    const WallSample<D> wall = wall_at(model, work, 8 * c + lane, Vec<D>(position - with_wall));
-    if (wall.filling < 0.52) continue;
+    const Vec<D> where = position - with_wall;
+    const WallSample<D> wall = wall_at(model, work, 8 * c + lane, where);
+    if (wall.filling < 0.52 || model.distance(where).phi < 0.0) continue;  // corners fill more than a half
     if (wall.filling > through) {
       gone.push_back(8 * c + lane);
       position = before;

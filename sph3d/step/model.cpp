@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "sph3d/geometry/signed_distance.hpp"
 
 namespace ostium::sph3d {
 
@@ -16,13 +15,17 @@ std::vector<Duct<D>> ducts_of(const Lumen<D>& lumen, double dp) {
   return ducts;
 }
 
-/// The filling by walls is that of ducts long enough that their ends are out of reach.
+/// With ducts long enough that their ends are out of reach.
 template <int D>
-WallField<D> wall_of(const Lumen<D>& lumen, const Wendland<D>& kernel, double dp) {
-  const Lumen<D> endless = extended(lumen, Duct<D>::layers * dp + kernel.reach() + 4.0 * dp);
-  const SignedDistance<D> phi(endless.surface);
-  Vec<D> lower = endless.surface.points.front(), upper = lower;
-  for (const Vec<D>& p : endless.surface.points) lower = lower.cwiseMin(p), upper = upper.cwiseMax(p);
+Surface<D> endless(const Lumen<D>& lumen, const Wendland<D>& kernel, double dp) {
+  return extended(lumen, Duct<D>::layers * dp + kernel.reach() + 4.0 * dp).surface;
+}
+
+template <int D>
+WallField<D> wall_of(const Surface<D>& surface, const SignedDistance<D>& phi, const Wendland<D>& kernel,
+                     double dp) {
+  Vec<D> lower = surface.points.front(), upper = lower;
+  for (const Vec<D>& p : surface.points) lower = lower.cwiseMin(p), upper = upper.cwiseMax(p);
   return WallField<D>([&](const Vec<D>& x) { return phi(x).phi; }, lower, upper, kernel, dp);
 }
 
@@ -42,7 +45,8 @@ Model<D>::Model(const Lumen<D>& lumen_, const FluidOptions<D>& o, std::vector<Op
       domain(extended(lumen_, Duct<D>::layers * o.dp)),
       kernel{1.3 * o.dp},
       half_space(kernel, o.dp, o.friction_limit),
-      wall(wall_of(lumen_, kernel, o.dp)),
+      distance(endless(lumen_, kernel, o.dp)),
+      wall(wall_of(endless(lumen_, kernel, o.dp), distance, kernel, o.dp)),
       roles(std::move(roles_)),
       ducts(ducts_of(lumen_, o.dp)),
       origin(middle(lumen_)),

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "sph3d/geometry/lumen.hpp"
+#include "sph3d/geometry/signed_distance.hpp"
 #include "sph3d/openings/duct.hpp"
 #include "sph3d/openings/profile.hpp"
 #include "sph3d/openings/slice.hpp"
@@ -56,7 +57,8 @@ struct Model {
   Lumen<D> domain;  // with its ducts
   Wendland<D> kernel;
   HalfSpace<D> half_space;
-  WallField<D> wall;                 // of the vessel with its ducts, which go on beyond their outer faces
+  SignedDistance<D> distance;        // from the wall; ducts go on beyond their outer faces
+  WallField<D> wall;                 // likewise
   std::vector<OpeningRole> roles;    // of each opening
   std::vector<Duct<D>> ducts;        // likewise
   std::vector<Slice<D>> slices;      // likewise

@@ -36,9 +36,7 @@ void expect_rest(Vessel<3>& vessel, std::size_t particles) {
   std::vector<Drive> drives(vessel.model().ducts.size());
   for (auto& drive : drives) drive.law.p_star = pressure;
   for (int step = 0; step < 10; ++step) vessel.advance(1, drives, 0.01);
-  // in the corners of a narrow lumen one or the other slides past the wall's surface until the first waves are gone
-  EXPECT_LE(double(vessel.state().mirrored), 2e-4 * double(particles))
-      << "hardly anybody is put back inside the wall";
+  EXPECT_EQ(vessel.state().mirrored, 0) << "nobody is put back inside the wall";
   EXPECT_EQ(vessel.state().escaped, 0);
   EXPECT_NEAR(double(vessel.state().fluid.count()), double(particles), 0.005 * double(particles));
   EXPECT_LT(vessel.state().max_speed, 0.05 * vessel.model().options.sound_speed);

@@ -2,6 +2,7 @@
 ///
 /// The request is made before the memory is touched. Where it cannot be met nothing changes but the time taken.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -31,6 +32,15 @@ void resize_in_large_pages(std::vector<T>& vector, std::size_t n) {
     ask_for_large_pages(vector.data(), vector.capacity() * sizeof(T));
   }
   vector.resize(n);
+}
+
+/// Gives a vector that came from elsewhere, and may stand in small pages, memory of that kind.
+template <class T>
+void move_to_large_pages(std::vector<T>& vector) {
+  std::vector<T> moved;
+  resize_in_large_pages(moved, vector.size());
+  std::copy(vector.begin(), vector.end(), moved.begin());
+  vector = std::move(moved);
 }
 
 }  // namespace ostium

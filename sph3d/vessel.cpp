@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
+#include "core/large_pages.hpp"
 #include "sph3d/openings/ports.hpp"
 #include "sph3d/openings/renewal.hpp"
 #include "sph3d/particles/fill.hpp"
@@ -42,6 +43,8 @@ Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::ve
   if (state_.ports.size() != lumen.openings.size())
     user_error("the saved state has {} openings, this vessel {}: it belongs to another case",
                state_.ports.size(), lumen.openings.size());
+  move_to_large_pages(state_.fluid.position);
+  move_to_large_pages(state_.fluid.clusters);
   auto model = std::make_unique<Model<D>>(lumen, options, std::move(roles));
   model->number_density = saved.number_density;
   model->rest_volume = saved.rest_volume;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/large_pages.hpp"
+
 namespace ostium::sph3d {
 
 namespace {
@@ -248,7 +250,8 @@ void WallField<D>::find_felt() {
 template <int D>
 void WallField<D>::widen_rows() {
   constexpr int rows = block_size / edge;
-  std::vector<float> wide(stored_.size() * rows * wide_row);
+  std::vector<float> wide;
+  resize_in_large_pages(wide, stored_.size() * rows * wide_row);
 #pragma omp parallel for schedule(dynamic, 8)
   for (std::size_t slot = 0; slot < stored_.size(); ++slot) {
     const Index first = first_node(stored_[slot]);

@@ -104,7 +104,7 @@ Graded IndexWatcher::value(const Index& index) const {
     case Index::Kind::pulse:
       return {s.max.value - s.min.value, s.max.gradient - s.min.gradient};
     case Index::Kind::stroke_volume:
-      if (index.text.find("v:") == std::string::npos) return s.integral;
+      if (!index.of_volume) return s.integral;
       return {s.max.value - s.min.value, s.max.gradient - s.min.gradient};
     case Index::Kind::ejection_fraction: {
       const double left = s.min.value / s.max.value;

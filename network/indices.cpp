@@ -89,6 +89,7 @@ Index read_index(const std::string& text, const std::vector<std::string>& series
   if (index.kind == Kind::ejection_fraction) require(found, {"v:"}, kind, where);
   if (index.kind == Kind::stroke_volume) require(found, {"v:", "q:"}, kind, where);
   index.unit = unit_of_index(index.kind, found);
+  index.of_volume = found.starts_with("v:");
   return index;
 }
 

@@ -25,6 +25,7 @@ struct Index {
   Kind kind = Kind::mean;
   int series = 0, of = 0;  // `of`: the flow that is split
   std::string unit{};
+  bool of_volume = false;  // stroke volumes: of a volume, not of a flow
 };
 
 /// Throws UserError opened by `where`, with the nearest valid word.

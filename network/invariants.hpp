@@ -20,6 +20,8 @@ namespace ostium::network {
 class Invariants {
  public:
   explicit Invariants(const System& system);
+  /// The parameters have changed.
+  void forget() { seen_ = false; }
 
   /// Narrows them by the equations at this point.
   void see(double t, const double* y, const double* dy);

@@ -29,6 +29,14 @@ struct Network::Parts {
     if (!changes) changes.emplace(system.model());
     system.replace(parameter.entry, changes->block(parameter, value));
     changes->keep(parameter, value);
+    renew();
+  }
+  void replace(std::span<const Replacement> blocks) {
+    for (const auto& r : blocks) system.replace(r.entry, r.block);
+    changes.reset();  // they are part of the model now
+    renew();
+  }
+  void renew() {
     consistent.forget();
     linear.reset(), held.reset();
     prepare();
@@ -49,6 +57,7 @@ Network::Network(Model model, std::vector<Port> ports, NetworkOptions options)
 }
 
 void Network::set(const Parameter& parameter, double value) { parts_->set(parameter, value); }
+void Network::replace(std::span<const Replacement> blocks) { parts_->replace(blocks); }
 const Model& Network::model() const { return parts_->system.model(); }
 
 void Network::restart() {

@@ -106,6 +106,8 @@ class Network {
   /// Gives a parameter (network/parameters.hpp) another value; what is joined stays joined, and so do the values set
   /// before and the state. Throws UserError: range, what the block refuses, a value that leaves an element out or adds one.
   void set(const Parameter& parameter, double value);
+  /// The same for whole blocks with other parameters, all at once.
+  void replace(std::span<const Replacement> blocks);
   /// The blocks as they are now.
   const Model& model() const;
   /// Back to t = 0 and the start values.

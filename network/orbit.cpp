@@ -25,6 +25,18 @@ class Witness final : public Watcher {
 
 Orbit::Orbit(const Model& model, const std::vector<Port>& ports, double period)
     : closure_(model, ports), period_(period), no_flow_(closure_.system().ports().size(), 0.0) {
+  restart();
+}
+
+void Orbit::replace(std::span<const Replacement> blocks) {
+  for (const auto& r : blocks) closure_.replace(r);
+  consistent_.forget();
+  invariants_.forget();
+  cycles_ = 0;
+  restart();
+}
+
+void Orbit::restart() {
   const auto y = system_.start();
   state_ = {0, {y.begin(), y.end()}, std::vector<double>(y.size(), 0.0), no_flow_};
   space_ = linearise(system_, 0, state_.y.data(), state_.dy.data());

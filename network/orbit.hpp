@@ -20,6 +20,8 @@ namespace ostium::network {
 class Orbit {
  public:
   Orbit(const Model& model, const std::vector<Port>& ports, double period);
+  /// Blocks with other parameters in the places of others, and back to the start values.
+  void replace(std::span<const Replacement> blocks);
 
   Eigen::VectorXd states() const;
   void set(const Eigen::VectorXd& x);
@@ -50,6 +52,7 @@ class Orbit {
   double pressure() const { return closure_.pressure(state_.y.data()); }
 
  private:
+  void restart();
   Eigen::MatrixXd state_rows(const Eigen::MatrixXd& S) const;
   Linearised exactly(const Eigen::VectorXd& x);
 

@@ -86,6 +86,25 @@ std::shared_ptr<const lumped::Block> Changes::block(const Parameter& p, double v
   return block;
 }
 
+std::vector<Replacement> Changes::blocks(const std::vector<Parameter>& parameters,
+                                         std::span<const double> values) const {
+  std::map<int, std::vector<lumped::Change>> changed;
+  for (size_t k = 0; k < parameters.size(); ++k) {
+    const auto& p = parameters[k];
+    check_value(p, values[k]);
+    auto& of_entry = changed.try_emplace(p.entry, changes_[p.entry]).first->second;
+    std::erase_if(of_entry, [&](const auto& c) { return c.parameter == p.number; });
+    of_entry.push_back({p.number, values[k]});
+  }
+  std::vector<Replacement> all;
+  for (const auto& [entry, changes] : changed) {
+    all.push_back({entry, given_.entries[entry].block->with(changes)});
+    if (const auto sentence = all.back().block->refusal(); !sentence.empty())
+      user_error("{}: {}", given_.entries[entry].name, sentence);
+  }
+  return all;
+}
+
 void Changes::keep(const Parameter& p, double value) { changes_[p.entry] = with(p, value); }
 
 }  // namespace ostium::network

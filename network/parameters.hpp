@@ -9,6 +9,7 @@
 ///
 /// Optional keys that the case does not give have no value to change. Not checked: that a change keeps the network solvable.
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,12 @@ Parameter parameter(const Model& model, const std::string& name, const std::stri
 /// Throws UserError where the value is not finite or outside the range of the parameter.
 void check_value(const Parameter& parameter, double value);
 
+/// A block that takes the place of an entry of the model.
+struct Replacement {
+  int entry = 0;
+  std::shared_ptr<const lumped::Block> block;
+};
+
 /// Values that differ from those of the case, and the blocks that have them. Setting a parameter again replaces its
 /// value; what was set of other parameters stays.
 class Changes {
@@ -42,6 +49,11 @@ class Changes {
   /// The entry's block with this value and those kept before. Throws UserError: range, or what the block refuses.
   std::shared_ptr<const lumped::Block> block(const Parameter& parameter, double value) const;
   void keep(const Parameter& parameter, double value);
+
+  /// The blocks with all of these values at once, each with those kept before: only the values together must make sense.
+  /// Throws UserError as `block`.
+  std::vector<Replacement> blocks(const std::vector<Parameter>& parameters,
+                                  std::span<const double> values) const;
 
  private:
   std::vector<lumped::Change> with(const Parameter& parameter, double value) const;

@@ -20,6 +20,7 @@ class Closure {
   Closure(const Model& model, const std::vector<Port>& ports);
 
   const System& system() const { return system_; }
+  void remember_sources() { system_.remember_sources(); }
   void replace(const Replacement& r) { system_.replace(r.entry, r.block); }
   /// Flow out of the vessel through the opening, m3/s.
   double flow(int port, double t, const double* y, const double* dy) const;

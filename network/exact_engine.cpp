@@ -14,18 +14,19 @@ namespace {
 
 constexpr int degree = 3;
 
+using Samples = Eigen::Matrix<double, Eigen::Dynamic, degree + 1>;  // one row per state
+
 /// Coefficients in theta of the cubic through samples at 0, 1/3, 2/3, 1, each times k!.
-Eigen::MatrixXd cubic(const Eigen::MatrixXd& samples) {
+void cubic(const Samples& samples, Samples& c) {
   static const Eigen::Matrix4d inverse = [] {
     Eigen::Matrix4d v;
     for (int i = 0; i <= degree; ++i)
       for (int k = 0; k <= degree; ++k) v(k, i) = std::pow(i / 3.0, k);
     return Eigen::Matrix4d(v.inverse());
   }();
-  Eigen::MatrixXd c = samples * inverse;
+  c.noalias() = samples * inverse;
   c.col(2) *= 2;
   c.col(3) *= 6;
-  return c;
 }
 
 /// 40 bits of the length decide: steps that differ by round-off share one exponential.
@@ -63,6 +64,7 @@ class ExactEngine final : public Engine {
     const std::vector<double> zero(system.size(), 0.0);
     A_ = linearise(system, 0, zero.data(), zero.data()).A;
     G_ = drive_matrix(system);
+    samples_.resize(A_.rows(), Eigen::NoChange), cubic_.resize(A_.rows(), Eigen::NoChange);
   }
 
   void advance(double a, double b, const Flows& flows, double* y, double* dy, Rows* rows) override {
@@ -79,36 +81,38 @@ class ExactEngine final : public Engine {
  private:
   void step(double a, double b, const Flows& flows, Eigen::VectorXd& x, int depth) {
     const double h = b - a;
-    Eigen::MatrixXd g(x.size(), degree + 1);
-    for (int i = 0; i <= degree; ++i) g.col(i) = drive(a + h * i / 3.0, flows);
-    const Eigen::MatrixXd c = cubic(g);
-    if (depth < deepest && misses(a, h, c, flows)) {
+    for (int i = 0; i <= degree; ++i) samples_.col(i) = drive(a + h * i / 3.0, flows);
+    cubic(samples_, cubic_);
+    if (depth < deepest && misses(a, h, flows)) {
       step(a, a + 0.5 * h, flows, x, depth + 1);
       step(a + 0.5 * h, b, flows, x, depth + 1);
       return;
     }
     const auto& phi = phi_of(h);
-    x = phi[0] * x;
-    for (int k = 0; k <= degree; ++k) x += phi[k + 1] * c.col(k) * h;
+    end_.noalias() = phi[0] * x;
+    for (int k = 0; k <= degree; ++k) end_.noalias() += h * phi[k + 1] * cubic_.col(k);
+    x.swap(end_);
   }
 
   /// Whether the cubic is off between its samples. The places are irrational and not symmetric: a sine can hide from
   /// those that fit its period, and from the middle. Stiff states have large rates whose round-off is no miss.
-  bool misses(double a, double h, const Eigen::MatrixXd& c, const Flows& flows) {
+  bool misses(double a, double h, const Flows& flows) {
+    const auto& c = cubic_;
     for (double s : {0.1835034190722739, 0.6180339887498949}) {
-      const Eigen::VectorXd fit = c.col(0) + s * (c.col(1) + s * (c.col(2) / 2 + s * c.col(3) / 6));
-      const Eigen::VectorXd true_drive = drive(a + s * h, flows);
+      const auto& true_drive = drive(a + s * h, flows);
+      fit_ = c.col(0) + s * (c.col(1) + s * (c.col(2) / 2 + s * c.col(3) / 6));
       const double allowed = tolerance * (1 + h * true_drive.lpNorm<Eigen::Infinity>());
-      if (h * (fit - true_drive).lpNorm<Eigen::Infinity>() > allowed) return true;
+      if (h * (fit_ - true_drive).lpNorm<Eigen::Infinity>() > allowed) return true;
     }
     return false;
   }
 
   /// dx/dt at x = 0: what sources and port flows do.
-  Eigen::VectorXd drive(double t, const Flows& flows) {
+  const Eigen::VectorXd& drive(double t, const Flows& flows) {
     flows.at(t, flow_);
     system_.forcing(t, flow_, forcing_.data());
-    return G_ * forcing_;
+    drive_.noalias() = G_ * forcing_;
+    return drive_;
   }
 
   const std::array<Eigen::MatrixXd, 5>& phi_of(double h) {
@@ -124,7 +128,8 @@ class ExactEngine final : public Engine {
   const System& system_;
   Consistent& consistent_;
   Eigen::MatrixXd A_, G_;
-  Eigen::VectorXd forcing_;
+  Eigen::VectorXd forcing_, drive_, fit_, end_;  // kept for their memory, as the samples
+  Samples samples_, cubic_;
   std::vector<double> flow_;
   std::unordered_map<double, std::array<Eigen::MatrixXd, 5>> phi_;
 };

@@ -58,6 +58,7 @@ Network::Network(Model model, std::vector<Port> ports, NetworkOptions options)
 
 void Network::set(const Parameter& parameter, double value) { parts_->set(parameter, value); }
 void Network::replace(std::span<const Replacement> blocks) { parts_->replace(blocks); }
+void Network::remember_sources() { parts_->system.remember_sources(); }
 const Model& Network::model() const { return parts_->system.model(); }
 
 void Network::restart() {

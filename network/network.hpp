@@ -108,6 +108,8 @@ class Network {
   void set(const Parameter& parameter, double value);
   /// The same for whole blocks with other parameters, all at once.
   void replace(std::span<const Replacement> blocks);
+  /// Keeps what sources that are not replaced gave at each time: for many runs over the same times.
+  void remember_sources();
   /// The blocks as they are now.
   const Model& model() const;
   /// Back to t = 0 and the start values.

@@ -22,6 +22,7 @@ class Orbit {
   Orbit(const Model& model, const std::vector<Port>& ports, double period);
   /// Blocks with other parameters in the places of others, and back to the start values.
   void replace(std::span<const Replacement> blocks);
+  void remember_sources() { closure_.remember_sources(); }
 
   Eigen::VectorXd states() const;
   void set(const Eigen::VectorXd& x);

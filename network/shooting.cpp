@@ -15,7 +15,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double enough = 1e-6;  // change per cycle after which one more correction is the last
 // above: a period with that many sensitivities, or the exponential of a matrix of that size, costs more than ten without
 constexpr int many_states = 60, many_states_linear = 300;
 
@@ -65,7 +64,7 @@ std::optional<Orbit::Linearised> attempt(Orbit& orbit, const VectorXd& x, bool w
   }
 }
 
-PeriodicReport newton(Orbit& orbit, const char* method) {
+PeriodicReport newton(Orbit& orbit, const char* method, double enough) {
   constexpr int most = 40, most_plain = 10;
   constexpr double near = 0.1;  // what is not linear is kept by a period, but not by a long step
   VectorXd x = orbit.states(), step;
@@ -103,7 +102,7 @@ PeriodicReport newton(Orbit& orbit, const char* method) {
 }
 
 /// The last iterates' residuals as columns of differences: least squares for the mixture.
-PeriodicReport anderson(Orbit& orbit) {
+PeriodicReport anderson(Orbit& orbit, double enough) {
   constexpr int most = 200, depth = 12;
   VectorXd x = orbit.states(), last_end, last_miss, miss;
   MatrixXd dF(x.size(), 0), dG(x.size(), 0);
@@ -154,12 +153,12 @@ MatrixXd bordered(const Orbit& orbit, const MatrixXd& M, const MatrixXd& c, cons
   return lu.solve(b).topRows(n);
 }
 
-PeriodicReport find_periodic(Orbit& orbit) {
+PeriodicReport find_periodic(Orbit& orbit, double enough) {
   const int n = static_cast<int>(orbit.system().states().size());
   if (n == 0) return {.method = "exact"};
   const bool linear = orbit.system().linear();
-  if (n > (linear ? many_states_linear : many_states)) return anderson(orbit);
-  return newton(orbit, linear ? "exact" : "newton");
+  if (n > (linear ? many_states_linear : many_states)) return anderson(orbit, enough);
+  return newton(orbit, linear ? "exact" : "newton", enough);
 }
 
 }  // namespace ostium::network

@@ -17,7 +17,8 @@
 namespace ostium::network {
 
 /// Leaves the orbit at its periodic state. Throws UserError where there is none, NumericsError where it is not found.
-PeriodicReport find_periodic(Orbit& orbit);
+/// A correction is the last one where the period before it changed the states by less than `enough` of their scales.
+PeriodicReport find_periodic(Orbit& orbit, double enough = 1e-6);
 
 /// Solves (I - M) d = r with c d = given: d on the states, over their scales. Throws UserError where a state goes on and on.
 Eigen::MatrixXd bordered(const Orbit& orbit, const Eigen::MatrixXd& M, const Eigen::MatrixXd& c,

@@ -34,7 +34,10 @@ class Study {
   void run(std::span<const double> values, std::span<double> results);
 
  private:
-  void start(std::span<const double> values);
+  void run_periodic();
+  void from_periodic(double enough);
+  void window();
+  double change() const;
 
   StudyRun run_;
   std::vector<Parameter> parameters_;
@@ -45,7 +48,7 @@ class Study {
   RowIndices rows_;
   double begins_ = 0;          // s, of the results
   std::vector<double> times_;  // s, of the rows after that
-  std::vector<double> y_;
+  std::vector<double> y_;      // where the results begin
 };
 
 }  // namespace ostium::network

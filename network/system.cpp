@@ -169,10 +169,20 @@ void System::residual(double t, const double* y, const double* dy, std::span<con
 }
 
 void System::forcing(double t, std::span<const double> port_flow, double* f) const {
-  std::copy(constant_forcing_.begin(), constant_forcing_.end(), f);
-  for (const auto& p : placed_)
-    if (!p.autonomous) add_residual(p, t, gather(p, zero_.data(), zero_.data()), f);
+  const auto& driven = this->driven(t);
+  for (size_t i = 0; i < driven.size(); ++i) f[i] = constant_forcing_[i] + driven[i];
   subtract_port_flows(port_flow, f);
+}
+
+/// The part of the forcing that reads the time.
+const std::vector<double>& System::driven(double t) const {
+  constexpr size_t most = 1 << 20;  // numbers, 8 MB
+  if (const auto known = remembered_.find(t); known != remembered_.end()) return known->second;
+  driven_.assign(size(), 0.0);
+  for (const auto& p : placed_)
+    if (!p.autonomous) add_residual(p, t, gather(p, zero_.data(), zero_.data()), driven_.data());
+  if (!remembers_ || (remembered_.size() + 1) * driven_.size() > most) return driven_;
+  return remembered_[t] = driven_;
 }
 
 void System::jacobian(double t, const double* y, const double* dy, double* d_y, double* d_dy) const {
@@ -224,6 +234,7 @@ void System::replace(int entry, std::shared_ptr<const lumped::Block> block) {
         "network "
         "where 0 stays 0 and others do not become 0",
         model_.entries[entry].where);
+  if (!placed_[entry].autonomous || !block->autonomous()) remembered_.clear();
   read(placed_[entry], *block);
   model_.entries[entry].block = std::move(block);
   linear_ = std::all_of(placed_.begin(), placed_.end(), [](const auto& p) { return p.linear; });

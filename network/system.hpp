@@ -13,6 +13,7 @@
 #include <Eigen/SparseCore>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "lumped/block.hpp"
@@ -40,6 +41,9 @@ class System {
 
   /// The residual at y = 0, dy/dt = 0: what drives a linear network.
   void forcing(double t, std::span<const double> port_flow, double* f) const;
+
+  /// From now on keeps what the sources gave at each time, for runs that ask again for the same times.
+  void remember_sources() { remembers_ = true; }
 
   int switch_count() const { return static_cast<int>(switches_.size()); }
   bool on(int k, const double* y) const { return y[switches_[k].unknown] > 0.5; }
@@ -127,7 +131,10 @@ class System {
   bool linear_ = true;
   /// Of the blocks whose Jacobian is constant, and of those that do not read the time.
   std::vector<double> linear_d_y_, linear_d_dy_, constant_forcing_, zero_;
-  mutable std::vector<double> x_, out_;  // of one block, kept for their memory
+  const std::vector<double>& driven(double t) const;
+  mutable std::vector<double> x_, out_, driven_;  // of one block and of the sources, kept for their memory
+  bool remembers_ = false;
+  mutable std::unordered_map<double, std::vector<double>> remembered_;
 };
 
 }  // namespace ostium::network

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/effective.hpp"
+#include "app/measured.hpp"
 #include "core/csv.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
-#include "core/units.hpp"
 #include "network/calibrate.hpp"
 #include "network/model.hpp"
 #include "network/network.hpp"
@@ -21,24 +21,14 @@ using network::FreeParameter;
 using network::Target;
 using nlohmann::json;
 
-/// "93 mmHg" at `key` of a place, in the SI unit.
-double measured(const config::Node& place, const char* key, const std::string& text,
-                const std::string& unit) {
-  try {
-    return unit == "1" ? parse_number(text) : quantity(text, unit);
-  } catch (const UserError& error) {
-    place.at(key).error("{}", error.what());
-  }
-}
-
 std::vector<Target> targets_of(const CalibrationCase& asked, const network::Model& model) {
   const auto series = network::Network(model).series_names();
   std::vector<Target> all;
   for (const auto& t : asked.targets) {
     const auto index = network::read_index(t.of, series, t.origin.at("of").where() + ": of");
     all.push_back({.index = index,
-                   .value = measured(t.origin, "value", t.value, index.unit),
-                   .tolerance = measured(t.origin, "tolerance", t.tolerance, index.unit),
+                   .value = measured(t.origin.at("value"), t.value, index.unit),
+                   .tolerance = measured(t.origin.at("tolerance"), t.tolerance, index.unit),
                    .weight = t.weight});
   }
   return all;
@@ -49,8 +39,8 @@ std::vector<FreeParameter> free_of(const CalibrationCase& asked, const network::
   for (const auto& p : asked.parameters) {
     const auto found = network::parameter(model, p.name, p.origin.at("name").where() + ": name");
     all.push_back({.parameter = found,
-                   .low = measured(p.origin, "low", p.low, found.unit),
-                   .high = measured(p.origin, "high", p.high, found.unit),
+                   .low = measured(p.origin.at("low"), p.low, found.unit),
+                   .high = measured(p.origin.at("high"), p.high, found.unit),
                    .logarithmic = p.logarithmic});
   }
   return all;

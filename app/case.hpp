@@ -13,6 +13,7 @@
 
 #include "app/wall_case.hpp"
 #include "core/config.hpp"
+#include "network/design.hpp"
 #include "network/simulate.hpp"
 #include "sph3d/openings/profile.hpp"
 
@@ -107,6 +108,26 @@ struct CalibrationCase {
   config::Node origin;
 };
 
+/// How a parameter varies in a sweep; values are texts with units, as above.
+struct SweptParameterCase {
+  std::string name;
+  std::optional<std::string> low, high, mean, standard_deviation;
+  bool normal = false, logarithmic = false;
+  std::optional<int> count;
+  std::optional<std::vector<std::string>> values;
+  config::Node origin;
+};
+
+struct SweepCase {
+  std::optional<network::Sampling> sample;
+  std::optional<std::filesystem::path> file;
+  std::optional<long> count;
+  long seed = 1;
+  std::vector<SweptParameterCase> parameters;
+  std::vector<std::string> results;
+  config::Node origin;
+};
+
 /// Numbers of the methods; a user needs none of them.
 struct NumericsCase {
   double advection_cfl = 0, acoustic_cfl = 0, shift = 0, limiter = 0, density_relaxation = 0;
@@ -124,6 +145,7 @@ struct Case {
   NumericsCase numerics;
   std::optional<SensitivityCase> sensitivities;
   std::optional<CalibrationCase> calibration;
+  std::optional<SweepCase> sweep;
   config::Node origin;
 
   /// As the case says, else periodic where the case has a period.
@@ -143,6 +165,8 @@ void declare(config::Fields<SensitivityCase>&);
 void declare(config::Fields<TargetCase>&);
 void declare(config::Fields<FreeParameterCase>&);
 void declare(config::Fields<CalibrationCase>&);
+void declare(config::Fields<SweptParameterCase>&);
+void declare(config::Fields<SweepCase>&);
 void declare(config::Fields<Case>&);
 
 /// What the command line changes in a case: another surface, values at dotted paths ("time.cycles", "1").

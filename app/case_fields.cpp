@@ -104,46 +104,6 @@ void declare(config::Fields<NetworkCase>& f) {
   });
 }
 
-void declare(config::Fields<SensitivityCase>& f) {
-  f.texts("of", &SensitivityCase::of,
-          "results: `mean S`, `max S`, `min S`, `pulse S`, `ejection_fraction V`, `stroke_volume V` (or of a "
-          "flow Q), "
-          "`flow_split Q / Q0`, where S is a series of network.csv such as p:Ao, V a volume, Q a flow");
-  f.texts(
-      "to", &SensitivityCase::to,
-      "parameters: `BLOCK.KEY` with a key the case gives, `body.Rd`, `lv.activation.duration`; of a waveform "
-      "`heart.flow.factor`, `heart.flow.shift`, `heart.flow.fourier.mean`, `.cos.1`, `.sin.1`");
-  f.origin(&SensitivityCase::origin);
-}
-
-void declare(config::Fields<TargetCase>& f) {
-  f.text("of", &TargetCase::of, "the result, as in `sensitivities.of`: `mean p:Ao`").required();
-  f.text("value", &TargetCase::value, "what it should be, with its unit: `93 mmHg`").required();
-  f.text("tolerance", &TargetCase::tolerance, "how near is near, with its unit: `1 mmHg`").required();
-  f.number("weight", &TargetCase::weight, "more for what counts more").positive().or_else(1);
-  f.origin(&TargetCase::origin);
-}
-
-void declare(config::Fields<FreeParameterCase>& f) {
-  f.text("name", &FreeParameterCase::name, "the parameter, as in `sensitivities.to`: `body.Rd`").required();
-  f.text("low", &FreeParameterCase::low, "least value, with its unit").required();
-  f.text("high", &FreeParameterCase::high, "largest value, with its unit").required();
-  f.choice("scale", &FreeParameterCase::logarithmic, {{"log", true}, {"linear", false}},
-           "log for what may change by factors, linear for what may change its sign")
-      .or_else(true);
-  f.origin(&FreeParameterCase::origin);
-}
-
-void declare(config::Fields<CalibrationCase>& f) {
-  f.sections("targets", &CalibrationCase::targets, "results over the last period and what they should be")
-      .required();
-  f.sections("parameters", &CalibrationCase::parameters, "what may be changed, and how far").required();
-  f.integer("most_runs", &CalibrationCase::most_runs, "runs after which the search ends")
-      .at_least(1)
-      .or_else(60);
-  f.origin(&CalibrationCase::origin);
-}
-
 void declare(config::Fields<CouplingCase>& f) {
   f.choice("scheme", &CouplingCase::scheme,
            {{"linearised", Scheme::linearised},
@@ -246,6 +206,7 @@ void declare(config::Fields<Case>& f) {
             "without a vessel: how results over the last period depend on parameters, in sensitivities.csv");
   f.section("calibration", &Case::calibration,
             "without a vessel: targets and free parameters of `ostium calibrate`");
+  f.section("sweep", &Case::sweep, "without a vessel: samples of parameters and results of `ostium sweep`");
   f.origin(&Case::origin);
 }
 

@@ -11,6 +11,7 @@
 #include "app/interrupt.hpp"
 #include "app/schema.hpp"
 #include "app/study.hpp"
+#include "app/sweep/ranks.hpp"
 #include "app/version.hpp"
 #include "core/log.hpp"
 
@@ -75,7 +76,7 @@ void add_reference(CLI::App& program) {
 
 int report(int code, const char* kind, const std::string& text) {
   std::fflush(stdout);
-  fmt::print(stderr, "{}{}\n", kind, text);
+  if (is_first_process()) fmt::print(stderr, "{}{}\n", kind, text);
   return code;
 }
 
@@ -93,6 +94,7 @@ int run_program(int argc, char** argv) {
   add_geometry(program);
   add_import(program);
   add_calibrate(program);
+  add_sweep(program, code);
   add_schema(program);
   add_reference(program);
   try {

@@ -2,11 +2,14 @@
 //
 //   tree     a binary tree of linear vessels with Windkessels, per cycle of 50 tabulated samples
 //   rcr      studies of one Windkessel over one cycle of 100 samples and rows, model building included, per second
+//   sweep    the same by `network::Sweep` on all cores, wall time
 //
-// CPU times of this process: other work on the machine costs it its caches, not its turn.
+// Else CPU times of this process: other work on the machine costs it its caches, not its turn.
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -16,6 +19,7 @@
 #include "lumped/vessel.hpp"
 #include "lumped/windkessel.hpp"
 #include "network/simulate.hpp"
+#include "network/sweep.hpp"
 
 namespace ostium::bench {
 namespace {
@@ -100,19 +104,37 @@ nlohmann::json measure_rcr(int studies) {
   return {{"studies_per_second", rate}};
 }
 
+/// As `ostium sweep` runs them, without its table: joined once per thread.
+nlohmann::json measure_sweep(int studies, int threads) {
+  const Model m = rcr(1e8);
+  const std::vector<network::Variation> Rd{
+      {.parameter = network::parameter(m, "out.Rd", "bench"), .low = 1e8, .high = 2e8}};
+  const auto mean = network::read_index("mean p:n0", network::Network(m).series_names(), "bench");
+  network::Sweep sweep(m, network::Design({.count = studies, .parameters = Rd}), {mean},
+                       {.end = 1, .every = 0.01}, threads);
+  const auto begin = std::chrono::steady_clock::now();
+  sweep.run(0, studies, 1, [] { return false; });
+  const double rate =
+      studies / std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  fmt::print("sweep of the same: {:.0f} studies per second on {} threads (wall time)\n", rate, threads);
+  return {{"studies_per_second", rate}, {"threads", threads}};
+}
+
 }  // namespace
 }  // namespace ostium::bench
 
 int main(int argc, char** argv) {
   CLI::App app{"Cost of 0D studies on one core"};
   std::string json;
-  int generations = 9, cycles = 5, studies = 2000;
+  int generations = 9, cycles = 5, studies = 2000, threads = omp_get_max_threads();
   app.add_option("--json", json, "write the numbers to this file");
   app.add_option("--generations", generations, "of the tree (9)")->check(CLI::Range(1, 14));
   app.add_option("--cycles", cycles, "of the tree (5)")->check(CLI::Range(1, 1000));
   app.add_option("--studies", studies, "of the Windkessel (2000)")->check(CLI::PositiveNumber);
+  app.add_option("--threads", threads, "of the sweep (all)")->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
   const nlohmann::json all{{"tree", ostium::bench::measure_tree(generations, cycles)},
-                           {"rcr", ostium::bench::measure_rcr(studies)}};
+                           {"rcr", ostium::bench::measure_rcr(studies)},
+                           {"sweep", ostium::bench::measure_sweep(5 * studies, threads)}};
   if (!json.empty()) std::ofstream(json) << all.dump(2) << "\n";
 }

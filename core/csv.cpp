@@ -135,6 +135,14 @@ std::uintmax_t CsvWriter::bytes() {
   return std::filesystem::file_size(file_);
 }
 
+ColumnName column_name(const std::string& cell) {
+  const auto open = cell.find_first_of("[("), close = cell.find_last_of("])");
+  const std::string name = cell.substr(0, open);
+  const bool has_unit = open != std::string::npos && close != std::string::npos && close > open;
+  return {name.substr(0, name.find_last_not_of(' ') + 1),
+          has_unit ? cell.substr(open + 1, close - open - 1) : ""};
+}
+
 Table read_table(const std::filesystem::path& file, int skip) {
   std::ifstream stream(file);
   if (!stream || std::filesystem::is_directory(file))

@@ -42,6 +42,12 @@ struct Table {
   std::vector<int> lines;                    // line number of each row in the file, from 1
 };
 
+/// A cell of a header with what it says of the unit: "flow [mL/s]", "flow (mL/s)"; empty where it says nothing.
+struct ColumnName {
+  std::string name, unit;
+};
+ColumnName column_name(const std::string& cell);
+
 /// Reads a table, leaving out the first `skip` lines; throws UserError naming file, line and cell.
 Table read_table(const std::filesystem::path& file, int skip = 0);
 

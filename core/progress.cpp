@@ -57,13 +57,15 @@ void Progress::finish() {
 std::string Progress::line(const Options& o, double time, long steps, double wall, const std::string& extra) {
   const double done = o.end > o.start ? std::clamp((time - o.start) / (o.end - o.start), 0.0, 1.0) : 1.0;
   const double left = done > 0 ? wall * (1 - done) / done : std::numeric_limits<double>::infinity();
-  if (!o.task.empty()) return fmt::format("{}  {:.0f} %  ETA {}", o.task, 100 * done, clock_text(left));
+  const auto with_extra = [&](const std::string& text) { return extra.empty() ? text : text + "  " + extra; };
+  if (!o.task.empty())
+    return with_extra(fmt::format("{}  {:.0f} %  ETA {}", o.task, 100 * done, clock_text(left)));
   std::string text = fmt::format("{:.4g} / {:.4g} s", time, o.end);
   if (o.period > 0)
     text += fmt::format("  cycle {}", 1 + static_cast<long>(std::floor(time / o.period * (1 + 1e-12))));
   text += fmt::format("  {:.0f} %  {:.3g} steps/s  ETA {}", 100 * done, wall > 0 ? steps / wall : 0.0,
                       clock_text(left));
-  return extra.empty() ? text : text + "  " + extra;
+  return with_extra(text);
 }
 
 }  // namespace ostium

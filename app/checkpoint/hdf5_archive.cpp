@@ -3,28 +3,14 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <utility>
 
+#include "app/checkpoint/hdf5_handle.hpp"
 #include "core/error.hpp"
 
 namespace ostium::app {
 namespace {
 
-/// A handle of the HDF5 library that closes itself.
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-  ~Handle() { close(); }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  operator hid_t() const { return id_; }
-  bool good() const { return id_ >= 0; }
-  bool close() { return id_ < 0 || close_(std::exchange(id_, -1)) >= 0; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
+using Handle = Hdf5Handle;
 
 /// The newest format has checksums of its structure too.
 hid_t newest_format() {

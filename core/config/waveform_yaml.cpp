@@ -17,22 +17,9 @@
 namespace ostium::config {
 namespace {
 
-/// The unit in a header cell: "flow [mL/s]" or "flow (mL/s)"; empty if there is none.
-std::string unit_of_header(const std::string& cell) {
-  const auto open = cell.find_first_of("[("), close = cell.find_last_of("])");
-  return open == std::string::npos || close == std::string::npos || close < open
-             ? ""
-             : cell.substr(open + 1, close - open - 1);
-}
-
-std::string name_of_header(const std::string& cell) {
-  const std::string name = cell.substr(0, cell.find_first_of("[("));
-  return name.substr(0, name.find_last_not_of(' ') + 1);
-}
-
 std::size_t column_index(const std::string& wanted, const Table& table, const Node& node) {
   std::vector<std::string> names;
-  for (const auto& cell : table.names) names.push_back(name_of_header(cell));
+  for (const auto& cell : table.names) names.push_back(column_name(cell).name);
   const auto named = std::find(names.begin(), names.end(), wanted);
   if (named != names.end()) return static_cast<std::size_t>(named - names.begin());
   const std::size_t count = table.columns.size();
@@ -56,8 +43,8 @@ Columns pick_columns(const Table& table, const WaveformForm& form) {
   const std::size_t t = form.columns.empty() ? 0 : column_index(form.columns[0], table, at);
   const std::size_t w = form.columns.empty() ? 1 : column_index(form.columns[1], table, at);
   Columns c{table.columns[t], table.columns[w], {}, {}};
-  if (t < table.names.size()) c.time_unit = unit_of_header(table.names[t]);
-  if (w < table.names.size()) c.unit = unit_of_header(table.names[w]);
+  if (t < table.names.size()) c.time_unit = column_name(table.names[t]).unit;
+  if (w < table.names.size()) c.unit = column_name(table.names[w]).unit;
   return c;
 }
 

@@ -40,9 +40,11 @@ class ProgramTest : public testing::Test {
   }
   bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
 
-  Outcome ostium(const std::string& arguments) const {
-    const std::string command = "cd '" + folder_.string() + "'; " OSTIUM_BINARY " " + arguments + " 2>&1";
-    std::FILE* pipe = popen(command.c_str(), "r");
+  Outcome ostium(const std::string& arguments) const { return shell(OSTIUM_BINARY " " + arguments); }
+
+  /// Any command in the folder of the test.
+  Outcome shell(const std::string& command) const {
+    std::FILE* pipe = popen(("cd '" + folder_.string() + "'; " + command + " 2>&1").c_str(), "r");
     Outcome outcome{-1, {}};
     std::array<char, 4096> buffer;
     while (const auto n = fread(buffer.data(), 1, buffer.size(), pipe)) outcome.text.append(buffer.data(), n);

@@ -68,6 +68,8 @@ TEST(Progress, Line) {
   EXPECT_THAT(Progress::line(options, 0, 0, 0, ""), HasSubstr("0 %  0 steps/s  ETA ?"));
   EXPECT_EQ(Progress::line({.end = 1, .task = "filling the vessel"}, 0.4, 0, 8, ""),
             "filling the vessel  40 %  ETA 0:12");
+  EXPECT_EQ(Progress::line({.start = 20, .end = 120, .task = "sweep"}, 70, 0, 8, "70 of 120 samples"),
+            "sweep  50 %  ETA 0:08  70 of 120 samples");
 }
 
 TEST(Progress, PlainLinesInAPipe) {

@@ -1,6 +1,7 @@
 #include "sph3d/fields/structure_fields.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "sph3d/shell/recover.hpp"
 #include "sph3d/solid/solid_report.hpp"
@@ -85,10 +86,41 @@ StructureFields structure_fields(const DeformableWall<D>& wall, const Deformable
   return std::visit([&](const auto& body) { return structure_fields(body, state.*body.state); }, wall.body());
 }
 
-#define OSTIUM_INSTANTIATE(D)                                                           \
-  template StructureFields structure_fields(const ShellBody<D>&, const ShellState<D>&); \
-  template StructureFields structure_fields(const SolidBody<D>&, const SolidState<D>&); \
-  template StructureFields structure_fields(const DeformableWall<D>&, const DeformableWallState<D>&);
+namespace {
+
+/// Computed in parallel, added up in their order.
+template <class Energy>
+double sum_of(std::size_t n, Energy&& energy) {
+  std::vector<double> each(n);
+#pragma omp parallel for schedule(static)
+  for (std::size_t a = 0; a < n; ++a) each[a] = energy(a);
+  return std::accumulate(each.begin(), each.end(), 0.0);
+}
+
+template <int D>
+double energy_of(const ShellBody<D>& body, const ShellState<D>& state) {
+  const ShellModel<D>& model = body.model();
+  return sum_of(model.count(),
+                [&](std::size_t a) { return model.cloud.area[a] * surface_energy(model, state, a); });
+}
+
+template <int D>
+double energy_of(const SolidBody<D>& body, const SolidState<D>& state) {
+  return sum_of(body.model().count(), [&](std::size_t a) { return strain_energy(body.model(), state, a); });
+}
+
+}  // namespace
+
+template <int D>
+double strain_energy(const DeformableWall<D>& wall, const DeformableWallState<D>& state) {
+  return std::visit([&](const auto& body) { return energy_of(body, state.*body.state); }, wall.body());
+}
+
+#define OSTIUM_INSTANTIATE(D)                                                                         \
+  template StructureFields structure_fields(const ShellBody<D>&, const ShellState<D>&);               \
+  template StructureFields structure_fields(const SolidBody<D>&, const SolidState<D>&);               \
+  template StructureFields structure_fields(const DeformableWall<D>&, const DeformableWallState<D>&); \
+  template double strain_energy(const DeformableWall<D>&, const DeformableWallState<D>&);
 OSTIUM_INSTANTIATE(2)
 OSTIUM_INSTANTIATE(3)
 

@@ -29,4 +29,8 @@ StructureFields structure_fields(const SolidBody<D>& body, const SolidState<D>& 
 template <int D>
 StructureFields structure_fields(const DeformableWall<D>& wall, const DeformableWallState<D>& state);
 
+/// Of the strains of the whole wall, J (2D: per metre of depth); with pre-stress the work of that too.
+template <int D>
+double strain_energy(const DeformableWall<D>& wall, const DeformableWallState<D>& state);
+
 }  // namespace ostium::sph3d

@@ -28,6 +28,13 @@ void check_rows(const Case& study) {
           study.output.every, study.time.final(), rows, most, study.time.final() / (0.99 * most));
 }
 
+void check_probes(const Case& study) {
+  if (study.output.probes.empty() || study.vessel) return;
+  study.output.probes.front().second.origin.error(
+      "probes are points of a vessel, and this case has none; remove them: pressures and flows of the "
+      "network are in network.csv");
+}
+
 }  // namespace
 
 Case read_case(const std::filesystem::path& file, const Overrides& overrides) {
@@ -42,6 +49,7 @@ Case read_case(const std::filesystem::path& file, const Overrides& overrides) {
         .at(study.network.initial ? "initial" : "periodic")
         .error("a start from the periodic state needs \"time.period\"; add it, or choose \"rest\"");
   check_rows(study);
+  check_probes(study);
   return study;
 }
 

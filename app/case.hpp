@@ -74,10 +74,18 @@ struct SvzerodCase {
   std::optional<config::Node> start;      // UNKNOWN: value of the first row
 };
 
+/// A point of the blood, or of the wall, that is watched.
+struct ProbeCase {
+  std::vector<double> at;  // m
+  bool on_wall = false;
+  config::Node origin;
+};
+
 struct OutputCase {
   double every = 0, from = 0;          // s
   std::optional<double> fields_every;  // s
   double checkpoint_every = 0;         // s of wall time
+  std::vector<std::pair<std::string, ProbeCase>> probes;
   SvzerodCase svzerod;
 };
 
@@ -159,6 +167,7 @@ void declare(config::Fields<NetworkCase>&);
 void declare(config::Fields<CouplingCase>&);
 void declare(config::Fields<TimeCase>&);
 void declare(config::Fields<SvzerodCase>&);
+void declare(config::Fields<ProbeCase>&);
 void declare(config::Fields<OutputCase>&);
 void declare(config::Fields<NumericsCase>&);
 void declare(config::Fields<SensitivityCase>&);

@@ -150,6 +150,15 @@ void declare(config::Fields<SvzerodCase>& f) {
         "start as its file gives it; network.csv has the consistent one");
 }
 
+void declare(config::Fields<ProbeCase>& f) {
+  f.list("at", &ProbeCase::at, "m", "the place: three coordinates, in 2D two");
+  f.choice("on", &ProbeCase::on_wall, {{"blood", false}, {"wall", true}},
+           "stay there in the blood, or follow the point of the wall that is nearest to it at the start, at "
+           "most two spacings away")
+      .or_else(false);
+  f.origin(&ProbeCase::origin);
+}
+
 void declare(config::Fields<OutputCase>& f) {
   f.quantity("every", &OutputCase::every, "s", "interval between two rows of the series")
       .positive()
@@ -166,6 +175,10 @@ void declare(config::Fields<OutputCase>& f) {
        "when the run is interrupted or its numerics fail")
       .non_negative()
       .or_else(900);
+  f.map("probes", &OutputCase::probes,
+        "with a vessel: points to be watched, by names of your choice, in probes.csv: "
+        "`{jet: {at: [10 mm, 5 mm, 0 mm]}}`")
+      .or_else({});
   f.section("svzerod", &OutputCase::svzerod,
             "what `ostium run --format svzerod` writes to svzerod.csv, in the layout of svZeroDSolver");
 }

@@ -37,6 +37,7 @@ std::string vessel_part(const Case& study, int threads) {
   if (s.wall)
     text += fmt::format("  wall       a {} of {} particles\n", is_solid(*s.wall) ? "solid" : "shell",
                         particles_of(*s.wall));
+  for (const auto& probe : s.probes) text += fmt::format("  {:<12} probe {}\n", probe.name, place_of(probe));
   const Estimate e = estimate(study, s, nominal_speed(threads));
   for (const auto& line : estimate_lines(study, e, threads)) text += line + "\n";
   return text;

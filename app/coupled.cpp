@@ -10,7 +10,6 @@
 #include "app/checkpoint/saved_run.hpp"
 #include "app/coupled_options.hpp"
 #include "app/effective.hpp"
-#include "app/fields_output.hpp"
 #include "app/interrupt.hpp"
 #include "app/vessel_setup.hpp"
 #include "core/error.hpp"
@@ -37,19 +36,14 @@ class Session {
         run_(make_run(study, scales_, setup, start, saved, options.quiet)),
         recorder_(study, options.case_name, options.folder, effective_case(study, setup.model), names(setup),
                   saved ? std::optional(saved->recorded) : std::nullopt),
-        fields_(options.folder.path(), run_.vessel(),
-                {.every = study.output.fields_every.value_or(study.time.period.value_or(end_) / 10.0),
-                 .period = study.time.period.value_or(0.0),
-                 .end = end_}),
+        output_(study, setup.probes, options.folder.path(), run_.vessel(), saved ? &saved->output : nullptr),
         progress_({.start = run_.time(),
                    .end = end_,
                    .period = study.time.period.value_or(0.0),
                    .quiet = options.quiet}),
         steps_before_(run_.vessel().state().acoustic_steps) {
     account_.volume_at_start = run_.volume_inside();
-    if (!saved) return;
-    account_ = saved->account;
-    fields_.resume(saved->fields, saved->time());
+    if (saved) account_ = saved->account;
   }
 
   int go() {
@@ -122,6 +116,7 @@ class Session {
     keep(report);
     if (progress_.due()) {
       recorder_.flush();
+      output_.flush();
       progress_.update(run_.time(), run_.vessel().state().acoustic_steps - steps_before_,
                        fmt::format("max {:.3g} m/s  {:.4g} mmHg", report.max_speed, mean_pressure() / mmHg));
     } else {
@@ -142,7 +137,7 @@ class Session {
   }
 
   SavedRun<D> save() {
-    SavedRun<D> saved{run_.save(), recorder_.save(), account_, fields_.save()};
+    SavedRun<D> saved{run_.save(), recorder_.save(), account_, output_.save()};
     saved.account.wall = wall();
     return saved;
   }
@@ -165,7 +160,7 @@ class Session {
   }
 
   int finish() {
-    fields_.finish();
+    output_.finish();
     recorder_.finish(Status::finished, facts());
     std::error_code ignored;
     std::filesystem::remove(options_.folder.checkpoint(), ignored);  // nothing to go on with
@@ -243,7 +238,7 @@ class Session {
                        .max_density_error = report.max_density_error,
                        .escaped = run_.vessel().state().escaped,
                        .bound = name(report.bound)});
-    fields_.follow(run_.vessel());
+    output_.follow(run_.vessel());
   }
 
   static double seconds_since(Clock::time_point t) {
@@ -310,7 +305,7 @@ class Session {
   double end_;
   coupling::CoupledRun<D> run_;
   Recorder recorder_;
-  FieldsOutput<D> fields_;
+  VesselOutput<D> output_;
   Progress progress_;
   std::int64_t steps_before_;
   Account account_;

@@ -14,11 +14,11 @@ void archive(Archive& a, SavedFields<D>& saved) {
 
 template <int D>
 FieldsOutput<D>::FieldsOutput(const std::filesystem::path& results, const sph3d::Vessel<D>& vessel,
-                              const FieldsTimes& times)
+                              sph3d::WallSampler<D>& sampler, const FieldsTimes& times)
     : folder_(results / "fields"), thinning_(times.every), fluid_(folder_ / "fluid.pvd") {
   if (times.every <= 0.0) return;
   std::filesystem::create_directories(folder_);
-  wall_.emplace(folder_, vessel, times.period, times.end);
+  wall_.emplace(folder_, vessel, sampler, times.period, times.end);
 }
 
 template <int D>

@@ -32,7 +32,7 @@ template <int D>
 class FieldsOutput {
  public:
   FieldsOutput(const std::filesystem::path& results, const sph3d::Vessel<D>& vessel,
-               const FieldsTimes& times);
+               sph3d::WallSampler<D>& sampler, const FieldsTimes& times);
   /// After every step.
   void follow(const sph3d::Vessel<D>& vessel);
   /// The run has come to its end.

@@ -145,6 +145,7 @@ Setup<D> set_up(const Case& study) {
   s.lumen = read_vessel<D>(*study.vessel);
   for (const auto& note : s.lumen.repairs) log::info("{}", note);
   check_spacing(*study.vessel, s.lumen);
+  s.probes = probes_of(study, s.lumen);
   s.ports = ports_of(s.lumen);
   const network::Network network(s.model, s.ports);
   for (int k = 0; k < network.port_count(); ++k) s.kinds.push_back(network.kind(k));

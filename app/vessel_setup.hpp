@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/case.hpp"
+#include "app/probes.hpp"
 #include "app/wall_plan.hpp"
 #include "network/network.hpp"
 #include "network/periodic.hpp"
@@ -35,6 +36,7 @@ struct Setup {
   std::vector<network::PortKind> kinds;  // of each port
   std::vector<sph3d::Profile> profiles;  // of each opening
   std::optional<WallPlan<D>> wall;       // where it moves
+  std::vector<Probe<D>> probes;
 };
 
 /// Everything a coupled run needs; the graph has been checked against the openings.

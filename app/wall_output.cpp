@@ -50,13 +50,13 @@ class WallAndSurface {
 }  // namespace
 
 template <int D>
-WallOutput<D>::WallOutput(const std::filesystem::path& folder, const sph3d::Vessel<D>& vessel, double period,
-                          double end)
+WallOutput<D>::WallOutput(const std::filesystem::path& folder, const sph3d::Vessel<D>& vessel,
+                          sph3d::WallSampler<D>& sampler, double period, double end)
     : folder_(folder),
       period_(period),
       filter_((period > 0.0 ? period : end) / (2.0 * pi * 20.0)),
       interval_(filter_ / 4.0),
-      sampler_(vessel),
+      sampler_(sampler),
       map_(vessel.model().lumen.surface, sampler_.at_rest(), vessel.model().kernel.h),
       wall_(folder / "wall.pvd"),
       surface_(folder / "surface.pvd"),

@@ -20,8 +20,10 @@ namespace ostium::app {
 template <int D>
 class WallOutput {
  public:
-  /// period, s; 0: the whole run is one cycle, of about `end`, s.
-  WallOutput(const std::filesystem::path& folder, const sph3d::Vessel<D>& vessel, double period, double end);
+  /// The sampler is this vessel's, shared with others. period, s; 0: the whole run is one cycle, of about
+  /// `end`, s.
+  WallOutput(const std::filesystem::path& folder, const sph3d::Vessel<D>& vessel,
+             sph3d::WallSampler<D>& sampler, double period, double end);
 
   /// After every step: samples the wall four times in the time of its filter and where a cycle ends, and writes
   /// that cycle.
@@ -39,7 +41,7 @@ class WallOutput {
 
   std::filesystem::path folder_;
   double period_, filter_, interval_;
-  sph3d::WallSampler<D> sampler_;
+  sph3d::WallSampler<D>& sampler_;
   sph3d::SurfaceMap<D> map_;
   sph3d::WallCycle<D> cycle_;
   sph3d::PvdSeries wall_, surface_, cycles_wall_, cycles_surface_;

@@ -9,7 +9,7 @@ void archive(Archive& a, SavedRun<D>& saved) {
   a.part("run", [&] { coupling::archive(a, saved.run); });
   a.part("recorded", [&] { archive(a, saved.recorded); });
   a.part("account", [&] { archive(a, saved.account); });
-  a.part("fields", [&] { archive(a, saved.fields); });
+  a.part("output", [&] { archive(a, saved.output); });
 }
 
 template void archive(Archive&, SavedRun<2>&);

@@ -1,8 +1,8 @@
 /// Everything a coupled run goes on from: vessel and network, what was recorded, the account.
 #pragma once
-#include "app/fields_output.hpp"
 #include "app/results/account.hpp"
 #include "app/results/recorder.hpp"
+#include "app/vessel_output.hpp"
 #include "coupling/state.hpp"
 
 namespace ostium::app {
@@ -12,7 +12,7 @@ struct SavedRun {
   coupling::CoupledState<D> run;
   Recorded recorded;
   Account account;
-  SavedFields<D> fields;
+  SavedVesselOutput<D> output;
 
   double time() const { return run.vessel.state.time; }
 };

@@ -57,9 +57,9 @@ void ResultsFolder::create() const {
   fs::create_directories(folder_, failed);
   if (failed) user_error("{}: the results folder cannot be made: {}", folder_.string(), failed.message());
   if (resumes()) return;
-  for (const char* name :
-       {"case.effective.yaml", "ports.csv", "network.csv", "balance.csv", "svzerod.csv", "sensitivities.csv",
-        "sweep.csv", "sweep.h5", "sobol.csv", "summary.json", "log.txt", "checkpoint.h5", "fields"})
+  for (const char* name : {"case.effective.yaml", "ports.csv", "network.csv", "balance.csv", "wall.csv",
+                           "probes.csv", "svzerod.csv", "sensitivities.csv", "sweep.csv", "sweep.h5",
+                           "sobol.csv", "summary.json", "log.txt", "checkpoint.h5", "fields"})
     fs::remove_all(folder_ / name, failed);
 }
 

@@ -11,12 +11,12 @@ std::vector<std::string> with_time(const std::vector<std::string>& series) {
   return header;
 }
 
-CsvWriter writer(const std::filesystem::path& file, const std::vector<std::string>& header, Keep keep) {
+}  // namespace
+
+CsvWriter csv_writer(const std::filesystem::path& file, const std::vector<std::string>& header, Keep keep) {
   if (keep) return CsvWriter(file, header, *keep);
   return CsvWriter(file, header);
 }
-
-}  // namespace
 
 bool Thinning::due(double time) {
   if (time < next_ * every_ * (1 - 1e-9)) return false;
@@ -39,7 +39,7 @@ void Thinning::go_on(const Thinning& saved) {
 
 PortsCsv::PortsCsv(const std::filesystem::path& file, std::vector<std::string> ports, Keep keep)
     : ports_(std::move(ports)),
-      csv_(writer(file, {"time_s", "port", "flow_out_m3_s", "pressure_Pa", "volume_out_m3"}, keep)) {}
+      csv_(csv_writer(file, {"time_s", "port", "flow_out_m3_s", "pressure_Pa", "volume_out_m3"}, keep)) {}
 
 void PortsCsv::rows(double time, std::span<const PortRow> ports) {
   for (std::size_t k = 0; k < ports_.size(); ++k) {
@@ -49,7 +49,7 @@ void PortsCsv::rows(double time, std::span<const PortRow> ports) {
 }
 
 NetworkCsv::NetworkCsv(const std::filesystem::path& file, const std::vector<std::string>& series, Keep keep)
-    : csv_(writer(file, with_time(series), keep)) {}
+    : csv_(csv_writer(file, with_time(series), keep)) {}
 
 void NetworkCsv::row(double time, std::span<const double> values) {
   csv_ << time;
@@ -57,10 +57,10 @@ void NetworkCsv::row(double time, std::span<const double> values) {
 }
 
 BalanceCsv::BalanceCsv(const std::filesystem::path& file, Keep keep)
-    : csv_(writer(file,
-                  {"time_s", "volume_inside_m3", "volume_in_m3", "volume_out_m3", "discrepancy_m3",
-                   "kinetic_energy_J", "max_density_error", "escaped_particles", "step_bound"},
-                  keep)) {}
+    : csv_(csv_writer(file,
+                      {"time_s", "volume_inside_m3", "volume_in_m3", "volume_out_m3", "discrepancy_m3",
+                       "kinetic_energy_J", "max_density_error", "escaped_particles", "step_bound"},
+                      keep)) {}
 
 void BalanceCsv::row(const BalanceRow& r) {
   csv_ << r.time << r.volume_inside << r.in << r.out << r.discrepancy << r.kinetic_energy

@@ -30,6 +30,7 @@ class Thinning {
 
 /// Bytes of a file to go on with; nothing: a new file.
 using Keep = std::optional<std::uintmax_t>;
+CsvWriter csv_writer(const std::filesystem::path& file, const std::vector<std::string>& header, Keep keep);
 
 struct PortRow {
   double flow_out = 0, pressure = 0, volume_out = 0;

@@ -25,7 +25,10 @@ network:
     pump: {type: flow_source, to: inlet, velocity: {fourier: {mean: 0.3, sin: [1]}, unit: m/s, period: 0.05 s}}
     bed: {type: windkessel, from: outlet, Rp: 1.5e5 Pa.s/m3, C: 2e-7 m3/Pa, Rd: 1.35e6 Pa.s/m3, Pd: 6000 Pa}
 time: {period: 0.05 s, cycles: 1000}
-output: {every: 1 ms, fields_every: 20 ms}
+output:
+  every: 1 ms
+  fields_every: 20 ms
+  probes: {axis: {at: [10 mm, 3 mm]}, top: {at: [20 mm, 6 mm], on: wall}}
 )";
 
 const char* tube = R"(vessel:
@@ -40,7 +43,7 @@ network:
     pump: {type: flow_source, to: inlet, flow: {fourier: {mean: 50, sin: [50]}, unit: mm3/s, period: 0.05 s}}
     bed: {type: windkessel, from: outlet, Rp: 1e9 Pa.s/m3, C: 1e-12 m3/Pa, Rd: 1e10 Pa.s/m3}
 time: {period: 0.05 s, cycles: 1000}
-output: {every: 1 ms, fields_every: 0 s}
+output: {every: 1 ms, fields_every: 0 s, probes: {axis: {at: [0 mm, 0 mm, 2 mm]}}}
 )";
 
 const char* rcr = R"(network:
@@ -99,8 +102,9 @@ TEST_F(Resume, ACoupledRunIn2dGoesOnWithTheSameBytes) {
   write("case.yaml", channel);
   EXPECT_THAT(interrupt("--threads 2"), HasSubstr("go on with: ostium run case.yaml -o stopped --resume"));
   finish(0.05, 0.06);  // the cycle that was interrupted ends after it
-  expect_same_bytes({"ports.csv", "network.csv", "balance.csv", "fields/fluid.pvd", "fields/fluid_00001.vtp",
-                     "fields/surface.pvd", "fields/cycles_wall.pvd", "fields/cycles_surface.pvd"});
+  expect_same_bytes({"ports.csv", "network.csv", "balance.csv", "wall.csv", "probes.csv", "fields/fluid.pvd",
+                     "fields/fluid_00001.vtp", "fields/surface.pvd", "fields/cycles_wall.pvd",
+                     "fields/cycles_surface.pvd"});
   std::vector<std::string> cycles;
   for (const auto& file : std::filesystem::directory_iterator(folder() / "whole/fields"))
     if (const auto name = file.path().filename().string(); name.starts_with("cycle_"))
@@ -120,7 +124,7 @@ TEST_F(Resume, ACoupledRunIn3dGoesOnWithTheSameBytes) {
   write("case.yaml", tube);
   interrupt("--threads 2");
   finish(0.05, 0.003);
-  expect_same_bytes({"ports.csv", "network.csv", "balance.csv"});
+  expect_same_bytes({"ports.csv", "network.csv", "balance.csv", "wall.csv", "probes.csv"});
 }
 
 TEST_F(Resume, AWallThatMovesGoesOnWithTheSameBytes) {
@@ -133,7 +137,7 @@ TEST_F(Resume, AWallThatMovesGoesOnWithTheSameBytes) {
                          yaml.substr(at));
   interrupt("--threads 2");
   finish(0.05, 0.02);
-  expect_same_bytes({"ports.csv", "network.csv", "balance.csv"});
+  expect_same_bytes({"ports.csv", "network.csv", "balance.csv", "wall.csv", "probes.csv"});
 }
 
 TEST_F(Resume, ASolidWallGoesOnWithTheSameBytes) {
@@ -145,7 +149,7 @@ TEST_F(Resume, ASolidWallGoesOnWithTheSameBytes) {
                          yaml.substr(at));
   interrupt("--threads 2");
   finish(0.05, 0.02);
-  expect_same_bytes({"ports.csv", "network.csv", "balance.csv"});
+  expect_same_bytes({"ports.csv", "network.csv", "balance.csv", "wall.csv", "probes.csv"});
 }
 
 TEST_F(Resume, ANetworkAloneGoesOnWithTheSameBytes) {
@@ -165,7 +169,7 @@ TEST_F(Resume, CheckpointsAreWrittenOnTheWay) {
   ASSERT_TRUE(exists("stopped/checkpoint.h5"));
   write("stopped/summary.json", R"({"time": {"reached_s": 0.2}})");  // a killed run writes none
   finish(0.05, 0.1);
-  expect_same_bytes({"ports.csv", "network.csv", "balance.csv"});
+  expect_same_bytes({"ports.csv", "network.csv", "balance.csv", "wall.csv", "probes.csv"});
 }
 
 TEST_F(Resume, WhereThereIsNothingToResume) {
@@ -193,6 +197,25 @@ TEST_F(Resume, OfAnotherCase) {
   EXPECT_THAT(refused("--set 'network.blocks.bed.Rp=1.6e5 Pa.s/m3'"), HasSubstr("belongs to another case"));
   write("case.yaml", rcr);
   EXPECT_THAT(refused(), HasSubstr("it has `vessel in 2D` where the case has `network`"));
+}
+
+TEST_F(Resume, WithAnotherProbe) {
+  write("case.yaml", channel);
+  interrupt();
+  const std::string before = content("stopped/probes.csv");
+  const double reached = summary("stopped")["time"]["reached_s"];
+  const auto go_on = [&](const std::string& probes) {
+    return ostium(
+        fmt::format("run case.yaml -q -o stopped --resume --set 'time={{period: 0.05 s, end: {} s}}' "
+                    "--set 'output.probes={}'",
+                    reached + 0.01, probes));
+  };
+  const Outcome outcome = go_on("{jet: {at: [2 mm, 3 mm]}}");
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  const std::string after = content("stopped/probes.csv");
+  EXPECT_EQ(after.substr(0, before.size()), before);
+  EXPECT_THAT(after.substr(before.size()),
+              testing::AllOf(HasSubstr(",jet,"), testing::Not(HasSubstr("axis"))));
 }
 
 TEST_F(Resume, WithOtherSettings) {
@@ -232,7 +255,7 @@ TEST_F(Resume, FromAnotherFormat) {
   writer.finish();
   EXPECT_THAT(
       refused(),
-      HasSubstr("this checkpoint has format 99 (ostium 9.9), this program reads format 2; resume with "
+      HasSubstr("this checkpoint has format 99 (ostium 9.9), this program reads format 3; resume with "
                 "the program that wrote it"));
 }
 

@@ -2,8 +2,10 @@
 
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 
 namespace ostium {
@@ -47,7 +49,7 @@ std::vector<double> numbers_of(const std::vector<std::string>& cells, const std:
   std::vector<double> row(cells.size());
   for (std::size_t k = 0; k < cells.size(); ++k)
     if (!to_number(cells[k], row[k]))
-      user_error("{}: column {}: \"{}\" is no number", place, k + 1, cells[k]);
+      user_error("{}: column {}: \"{}\" is no number", place, k + 1, shown(cells[k]));
   return row;
 }
 
@@ -144,9 +146,11 @@ ColumnName column_name(const std::string& cell) {
 }
 
 Table read_table(const std::filesystem::path& file, int skip) {
-  std::ifstream stream(file);
-  if (!stream || std::filesystem::is_directory(file))
-    user_error("{}: this file does not exist or cannot be read", file.string());
+  return parse_table(read_text_file(file), file.string(), skip);
+}
+
+Table parse_table(const std::string& text, const std::string& file_name, int skip) {
+  std::istringstream stream(text);
   Table table;
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
@@ -157,9 +161,9 @@ Table read_table(const std::filesystem::path& file, int skip) {
     if (table.columns.empty() && is_header(cells))
       table.names = cells;
     else
-      add_row(table, cells, file.string(), number);
+      add_row(table, cells, file_name, number);
   }
-  if (table.columns.empty()) user_error("{}: there is no row of numbers in this file", file.string());
+  if (table.columns.empty()) user_error("{}: there is no row of numbers in this file", file_name);
   return table;
 }
 

@@ -50,5 +50,7 @@ ColumnName column_name(const std::string& cell);
 
 /// Reads a table, leaving out the first `skip` lines; throws UserError naming file, line and cell.
 Table read_table(const std::filesystem::path& file, int skip = 0);
+/// The same of what stands in the file.
+Table parse_table(const std::string& text, const std::string& file_name, int skip = 0);
 
 }  // namespace ostium

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/text.hpp"
+
 namespace ostium {
 namespace {
 
@@ -31,10 +33,12 @@ int edit_distance(const std::string& a, const std::string& b) {
 }
 
 std::optional<std::string> nearest_name(const std::string& word, const std::vector<std::string>& candidates) {
-  if (word.size() > 200) return {};
+  constexpr std::size_t longest = 200;  // the comparison takes memory for the product of both lengths
+  if (word.size() > longest) return {};
   std::optional<std::string> nearest;
   int least = 1 + static_cast<int>(word.size() + 2) / 3;
   for (const auto& candidate : candidates) {
+    if (candidate.size() > longest) continue;
     const int d = edit_distance(lower(word), lower(candidate));
     if (d < least && d < static_cast<int>(std::max(word.size(), candidate.size())))
       least = d, nearest = candidate;
@@ -42,10 +46,23 @@ std::optional<std::string> nearest_name(const std::string& word, const std::vect
   return nearest;
 }
 
+namespace {
+
+/// The beginning of a long list: a network may have thousands of names.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 60;
+  std::vector<std::string> some(names.begin(), names.begin() + std::min(names.size(), most));
+  for (auto& name : some) name = shown(name);
+  const auto left = names.size() - some.size();
+  return fmt::format("{}{}", fmt::join(some, ", "), left ? fmt::format(" and {} more", left) : "");
+}
+
+}  // namespace
+
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
   const auto nearest = nearest_name(word, candidates);
   const std::string question = nearest ? fmt::format("did you mean \"{}\"? ", *nearest) : "";
-  return candidates.empty() ? "" : fmt::format("; {}Allowed: {}", question, fmt::join(candidates, ", "));
+  return candidates.empty() ? "" : fmt::format("; {}Allowed: {}", question, listed(candidates));
 }
 
 }  // namespace ostium

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "core/did_you_mean.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace ostium {
 namespace {
@@ -47,17 +49,32 @@ class UnitTable {
     ut_free_system(system_);
   }
 
-  ut_unit* parse(const std::string& text) { return ut_parse(system_, text.c_str(), UT_UTF8); }
+  ut_unit* parse(const std::string& text) {
+    return is_plain(text) ? ut_parse(system_, text.c_str(), UT_UTF8) : nullptr;
+  }
 
   cv_converter* converter(const std::string& from, const std::string& to) {
-    auto& entry = converters_[{from, to}];
-    if (!entry) entry = make_converter(from, to);
-    return entry;
+    const auto known = converters_.find({from, to});
+    if (known != converters_.end()) return known->second;
+    cv_converter* made = make_converter(from, to);
+    if (made) converters_[{from, to}] = made;
+    return made;
   }
 
   std::mutex mutex;
 
  private:
+  /// The library also knows points of time (s since 2000-01-01, s @ 5) and logarithms (lg(re 1 Pa)); both are no units
+  /// of a plain number.
+  static bool is_plain(const std::string& unit) {
+    constexpr std::size_t longest = 80;
+    if (unit.size() > longest || first_bad_byte(unit) != std::string::npos) return false;
+    for (const char* word :
+         {"@", ":", "since", "SINCE", "after", "AFTER", "from", "FROM", "ref", "REF", "(re", "(RE"})
+      if (unit.find(word) != std::string::npos) return false;
+    return true;
+  }
+
   void add(const char* name, const char* meaning) {
     ut_unit* unit = parse(meaning);
     ut_map_symbol_to_unit(name, UT_UTF8, unit);
@@ -90,6 +107,12 @@ bool is_known(const std::string& unit) {
   return parsed != nullptr;
 }
 
+std::optional<double> conversion(double value, const std::string& unit, const std::string& si_unit) {
+  std::lock_guard lock(table().mutex);
+  cv_converter* converter = table().converter(unit, si_unit);
+  return converter ? std::optional(cv_convert_double(converter, value)) : std::nullopt;
+}
+
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
@@ -98,9 +121,17 @@ std::string trimmed(const std::string& text) {
 /// Digits after the number, a second sign or a comma mean that the number itself was cut short: 1.2.3, 9,81.
 void check_number_ended(const std::string& text, const std::string& rest) {
   if (rest.empty() || rest[0] == ' ' || rest[0] == '\t') return;
-  if (rest[0] == ',') user_error("\"{}\" is no number; write a decimal point, not a comma", text);
+  if (rest[0] == ',') user_error("\"{}\" is no number; write a decimal point, not a comma", shown(text));
   if (std::string(".+-_'").find(rest[0]) != std::string::npos)
-    user_error("\"{}\" is no number with a unit", text);
+    user_error("\"{}\" is no number with a unit", shown(text));
+}
+
+/// "80 90 mmHg" would be 80 times 90 mmHg, "1 000 Pa" nothing. A unit may begin as 1/s does.
+void check_one_number(const std::string& text, const std::string& unit) {
+  if (unit.empty() || unit[0] < '0' || unit[0] > '9') return;
+  const auto next = unit.find_first_not_of(' ', 1);
+  if (unit[0] == '1' && (next == std::string::npos || unit[next] == '/')) return;
+  user_error("\"{}\" holds two numbers; write one number, without blanks in it, and its unit", shown(text));
 }
 
 std::string examples(const std::string& si_unit) {
@@ -118,24 +149,26 @@ Measure parse_measure(const std::string& text) {
   double value = 0;
   const auto [end, status] = std::from_chars(begin, clean.data() + clean.size(), value);
   if (status == std::errc::result_out_of_range)
-    user_error("\"{}\" is too large or too small for a number", text);
-  if (status != std::errc{}) user_error("\"{}\" does not begin with a number", text);
+    user_error("\"{}\" is too large or too small for a number", shown(text));
+  if (status != std::errc{}) user_error("\"{}\" does not begin with a number", shown(text));
   const std::string rest(end, clean.data() + clean.size());
   check_number_ended(text, rest);
-  if (!std::isfinite(value)) user_error("\"{}\" is not a finite number", text);
+  if (!std::isfinite(value)) user_error("\"{}\" is not a finite number", shown(text));
+  check_one_number(text, trimmed(rest));
   return {value, trimmed(rest)};
 }
 
 double parse_number(const std::string& text) {
   const Measure m = parse_measure(text);
-  if (!m.unit.empty()) user_error("\"{}\" is not a plain number", text);
+  if (!m.unit.empty()) user_error("\"{}\" is not a plain number", shown(text));
   return m.value;
 }
 
 void check_unit(const std::string& unit) {
   if (!is_known(unit)) {
     const auto nearest = nearest_name(unit, common_units);
-    user_error("unknown unit \"{}\"{}", unit, nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : "");
+    user_error("unknown unit \"{}\"{}", shown(unit),
+               nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : "");
   }
 }
 
@@ -146,14 +179,14 @@ bool same_dimension(const std::string& a, const std::string& b) {
 
 double to_si(double value, const std::string& unit, const std::string& si_unit) {
   if (unit == si_unit) return value;
-  {
-    std::lock_guard lock(table().mutex);
-    if (cv_converter* converter = table().converter(unit, si_unit))
-      return cv_convert_double(converter, value);
+  if (const auto converted = conversion(value, unit, si_unit)) {
+    if (std::isfinite(value) && !std::isfinite(*converted))
+      user_error("{} {} is too large for a number", value, unit);
+    return *converted;
   }
   check_unit(unit);
-  user_error("the unit \"{}\" has the wrong dimension; expected a unit that converts to {}{}", unit, si_unit,
-             examples(si_unit));
+  user_error("the unit \"{}\" has the wrong dimension; expected a unit that converts to {}{}", shown(unit),
+             si_unit, examples(si_unit));
 }
 
 double quantity(const std::string& text, const std::string& si_unit) {
@@ -162,7 +195,7 @@ double quantity(const std::string& text, const std::string& si_unit) {
     user_error(
         "expected a value with a unit of dimension {0}, found the bare number {1}; write for example \"{1} "
         "{0}\"",
-        si_unit, trimmed(text));
+        si_unit, shown(trimmed(text)));
   return to_si(m.value, m.unit, si_unit);
 }
 

@@ -13,10 +13,17 @@ namespace {
 constexpr double same_point =
     1e-6;  // two samples are one point when their distance differs from a period by less
 
+constexpr double shortest_period = 1e-6, latest = 1e9;  // s: a whole number of periods stays an exact number
+constexpr std::size_t most_harmonics = 500;
+
+void check_length(double period) {
+  if (!(period >= shortest_period) || !(period <= latest))
+    user_error("the period of {} s must be from {:g} s to {:g} s", shortest(period), shortest_period, latest);
+}
+
 void check_period(const Waveform::Table& table) {
   const double span = table.times.back() - table.times.front();
-  if (table.period < 0 || !std::isfinite(table.period))
-    user_error("the period {} s must be > 0", table.period);
+  if (table.period != 0) check_length(table.period);
   if (table.period > 0 && span > table.period * (1 + same_point))
     user_error("the samples span {} s, more than the period of {} s; correct the period or cut the table",
                shortest(span), shortest(table.period));
@@ -45,6 +52,9 @@ void Waveform::check(const Table& table, const std::function<std::string(std::si
   for (std::size_t i = 0; i < t.size(); ++i) {
     if (!std::isfinite(t[i])) user_error("{}: the time {} is not a finite number", row(i), t[i]);
     if (!std::isfinite(w[i])) user_error("{}: the value {} is not a finite number", row(i), w[i]);
+    if (std::abs(t[i]) > latest)
+      user_error("{}: the time {} s is too far away; times lie between {:g} and {:g} s", row(i),
+                 shortest(t[i]), -latest, latest);
     if (i > 0 && t[i] <= t[i - 1])
       user_error("{}: the time {} s does not come after {} s of the row before; times must increase", row(i),
                  shortest(t[i]), shortest(t[i - 1]));
@@ -67,13 +77,24 @@ Waveform Waveform::table(Table samples) {
   }
   w.find_slopes();
   w.find_integrals();
+  w.check_steepness();
   w.find_extremes();
   return w;
 }
 
+void Waveform::check_steepness() const {
+  for (std::size_t i = 0; i + 1 < t_.size(); ++i)
+    if (!std::isfinite(slope_[i]) || !std::isfinite(integral_[i + 1]))
+      user_error("between {} s and {} s the value changes from {} to {}, which is no finite slope",
+                 shortest(t_[i]), shortest(t_[i + 1]), shortest(w_[i]), shortest(w_[i + 1]));
+}
+
 Waveform Waveform::fourier(Fourier series) {
-  if (!(series.period > 0) || !std::isfinite(series.period))
-    user_error("a Fourier series needs a period > 0");
+  if (series.period == 0) user_error("a Fourier series needs a period > 0");
+  check_length(series.period);
+  if (std::max(series.cos.size(), series.sin.size()) > most_harmonics)
+    user_error("the Fourier series has {} harmonics, at most {} are allowed",
+               std::max(series.cos.size(), series.sin.size()), most_harmonics);
   Waveform w;
   w.form_ = Form::fourier;
   w.period_ = series.period, w.mean_ = series.mean;
@@ -140,14 +161,17 @@ void Waveform::find_extremes() {
     return;
   }
   min_ = max_ = value(0);
-  const int n = 64 * (1 + static_cast<int>(cos_.size()));
+  const int n = (cos_.size() > 30 ? 8 : 64) * (1 + static_cast<int>(cos_.size()));
+  double left = derivative(0);
   for (int i = 0; i < n; ++i) {
     double a = period_ * i / n, b = period_ * (i + 1) / n;
-    if (derivative(a) * derivative(b) < 0)
+    const double right = derivative(b);
+    if (left * right < 0)
       for (int k = 0; k < 60; ++k) {
         const double middle = (a + b) / 2;
-        (derivative(a) * derivative(middle) <= 0 ? b : a) = middle;
+        (left * derivative(middle) <= 0 ? b : a) = middle;
       }
+    left = right;
     min_ = std::min(min_, value(a)), max_ = std::max(max_, value(a));
   }
 }

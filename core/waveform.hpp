@@ -11,8 +11,9 @@
 ///   period   s     0: not periodic
 ///
 /// A periodic table spans at most one period; between its last sample and the first one of the next period it
-/// goes on interpolating, and two samples one period apart are one point (the first counts). Not checked:
-/// that a table resolves its signal.
+/// goes on interpolating, and two samples one period apart are one point (the first counts). Refused besides what is
+/// no waveform: a period under a microsecond, times beyond a thousand million seconds, samples so near each other that
+/// the slope between them is no number, more than 500 harmonics. Not checked: that a table resolves its signal.
 #pragma once
 #include <functional>
 #include <string>
@@ -38,9 +39,8 @@ class Waveform {
 
   Waveform() = default;  // zero
   static Waveform constant(double value);
-  static Waveform table(
-      Table samples);  // throws UserError: fewer than two rows, times not increasing, not finite
-  static Waveform fourier(Fourier series);  // throws UserError: no period, not finite
+  static Waveform table(Table samples);     // throws UserError
+  static Waveform fourier(Fourier series);  // throws UserError
   /// Throws UserError when the times do not increase or a sample is not finite; `row` names the i-th sample
   /// (from 0).
   static void check(const Table& samples, const std::function<std::string(std::size_t)>& row);
@@ -78,6 +78,7 @@ class Waveform {
   std::size_t segment(double u) const;
   double from_left(std::size_t i, double s, int derivative) const;
   double antiderivative(double t) const;
+  void check_steepness() const;
   void find_slopes();
   void find_integrals();
   void find_extremes();

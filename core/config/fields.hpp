@@ -49,7 +49,7 @@ class Fields {
                {.name = std::move(name), .kind = FieldKind::number, .doc = std::move(doc)});
   }
 
-  template <class M>  // M: int, long or optional of them
+  template <class M>  // M: int or optional<int>
   Field<S, M>& integer(std::string name, M S::*member, std::string doc) {
     using T = plain_t<M>;
     return add(member,
@@ -180,7 +180,7 @@ class Fields {
   void check(std::function<std::string(const S&)> condition) { checks_.push_back(std::move(condition)); }
 
   S read(const Node& node, const Names& also_allowed) const {
-    require_mapping(node, description());
+    if (!node.is_map()) require_mapping(node, description());
     if (!node.is_null()) node.check_keys(allowed(also_allowed));
     S s{};
     for (const auto& field : fields_) field->read(s, node);
@@ -230,6 +230,7 @@ class Fields {
 
   template <class T>
   static Range integer_range() {
+    static_assert(sizeof(T) < sizeof(double), "the largest long is no double");
     return {.low = static_cast<double>(std::numeric_limits<T>::min()),
             .high = static_cast<double>(std::numeric_limits<T>::max())};
   }

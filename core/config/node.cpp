@@ -1,27 +1,13 @@
 #include "core/config/node.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 #include "core/did_you_mean.hpp"
+#include "core/text.hpp"
 
 namespace ostium::config {
-namespace {
 
-std::string content_of(const std::filesystem::path& file) {
-  if (std::filesystem::is_directory(file))
-    user_error("{}: this is a folder; give the case file in it", file.string());
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) user_error("{}: this file does not exist or cannot be read", file.string());
-  std::ostringstream content;
-  content << stream.rdbuf();
-  return content.str();
-}
-
-}  // namespace
-
-Node Node::load(const std::filesystem::path& file) { return parse(content_of(file), file.string()); }
+Node Node::load(const std::filesystem::path& file) { return parse(read_text_file(file), file.string()); }
 
 Node Node::parse(const std::string& text, const std::string& file_name) {
   Node node;
@@ -137,13 +123,13 @@ Node Node::at(const std::string& key) const {
 
 std::string Node::message(const std::string& sentence) const {
   const std::string place = file_.empty() ? "" : where() + ": ";
-  return place + (path_.empty() ? "" : path_ + ": ") + sentence;
+  return printable(place + (path_.empty() ? "" : path_ + ": ") + sentence);
 }
 
 void Node::check_keys(const std::vector<std::string>& allowed) const {
   for (const auto& [key, node] : entries())
     if (std::find(allowed.begin(), allowed.end(), key) == allowed.end())
-      node.error("unknown key \"{}\"{}", key, did_you_mean(key, allowed));
+      node.error("unknown key \"{}\"{}", shown(key), did_you_mean(key, allowed));
 }
 
 std::string Node::describe() const {
@@ -157,8 +143,7 @@ std::string Node::describe() const {
     case Tree::Kind::scalar:
       break;
   }
-  const std::string& s = tree_->text;
-  return fmt::format("the value \"{}\"", s.size() > 60 ? s.substr(0, 60) + "..." : s);
+  return fmt::format("the value \"{}\"", shown(tree_->text));
 }
 
 }  // namespace ostium::config

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/did_you_mean.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 
 namespace ostium::config {
@@ -20,12 +21,30 @@ auto at_position(const Node& node, Convert convert) -> decltype(convert()) {
   }
 }
 
+/// " Pa"; nothing for a number without dimension.
+std::string suffix(const FieldInfo& info) {
+  return info.unit.empty() || info.unit == "1" ? "" : " " + info.unit;
+}
+
+/// The value as it stands in the file, and in SI where that is another one.
+std::string value_of(double value, const Node& node, const FieldInfo& info) {
+  const std::string unit = suffix(info), text = shown(node.text());
+  return unit.empty() || text.ends_with(unit) ? text : fmt::format("{} ({}{})", text, shortest(value), unit);
+}
+
+/// Far beyond anything that flows, and near enough to 1 that products and quotients of some such stay numbers.
+void check_size(double value, const Node& node, const FieldInfo& info) {
+  constexpr double most = 1e30;
+  if (value == 0 || (std::abs(value) <= most && std::abs(value) >= 1 / most)) return;
+  node.error("{} cannot be; the size of a value is 0 or between {:g} and {:g}{}, look at its exponent",
+             value_of(value, node, info), 1 / most, most, suffix(info));
+}
+
 void check_range(double value, const Node& node, const FieldInfo& info) {
-  if (info.range.contains(value)) return;
-  const std::string unit = info.unit.empty() ? "" : " " + info.unit;
-  const std::string si =
-      info.unit.empty() || node.text().ends_with(unit) ? "" : fmt::format(" ({}{})", shortest(value), unit);
-  node.error("{}{} is not allowed; it must be {}", node.text(), si, info.range.text(info.unit));
+  check_size(value, node, info);
+  if (!info.range.contains(value))
+    node.error("{} is not allowed; it must be {}", value_of(value, node, info),
+               info.range.text(info.unit == "1" ? "" : info.unit));
 }
 
 std::string example_of(const FieldInfo& info) {
@@ -58,7 +77,7 @@ std::vector<double> split_quantities(const std::string& text, const std::string&
                                                                                     : words.back());
   if (last.unit.empty() && unit != "1")
     user_error("expected a unit of dimension {0} behind the values \"{1}\"; write for example \"{1} {0}\"",
-               unit, text);
+               unit, shown(text));
   if (std::isalpha(static_cast<unsigned char>(words.back()[0]))) words.pop_back();
   std::vector<double> values;
   for (const auto& word : words)
@@ -80,7 +99,8 @@ double read_unit(const Node& node, const FieldInfo& info) {
   const bool is_name = !text.empty() && std::string("+-.0123456789").find(text[0]) == std::string::npos;
   const double value =
       at_position(node, [&] { return is_name ? to_si(1.0, text, info.unit) : quantity(text, info.unit); });
-  if (!(value > 0)) node.error("{} is not allowed; a unit must be > 0 {}", text, info.unit);
+  if (!(value > 0)) node.error("{} is not allowed; a unit must be > 0 {}", shown(text), info.unit);
+  check_size(value, node, info);
   return value;
 }
 
@@ -97,7 +117,7 @@ double read_number(const Node& node, const FieldInfo& info) {
 long read_integer(const Node& node, const FieldInfo& info) {
   const std::string& text = value_text(node, "a whole number");
   const double value = at_position(node, [&] { return parse_number(text); });
-  if (value != std::floor(value)) node.error("expected a whole number, found {}", text);
+  if (value != std::floor(value)) node.error("expected a whole number, found {}", shown(text));
   check_range(value, node, info);
   return static_cast<long>(value);
 }
@@ -108,14 +128,14 @@ bool read_flag(const Node& node, const FieldInfo&) {
   const std::string& text = value_text(node, "true or false");
   if (text == "true" || text == "yes" || text == "on") return true;
   if (text == "false" || text == "no" || text == "off") return false;
-  node.error("expected true or false, found \"{}\"", text);
+  node.error("expected true or false, found \"{}\"", shown(text));
 }
 
 std::size_t read_choice(const Node& node, const FieldInfo& info) {
   const std::string& text = value_text(node, fmt::format("one of {}", fmt::join(info.choices, ", ")));
   for (std::size_t i = 0; i < info.choices.size(); ++i)
     if (info.choices[i] == text) return i;
-  node.error("unknown choice \"{}\"{}", text, did_you_mean(text, info.choices));
+  node.error("unknown choice \"{}\"{}", shown(text), did_you_mean(text, info.choices));
 }
 
 std::filesystem::path read_path(const Node& node, const FieldInfo&) {
@@ -135,10 +155,10 @@ std::vector<double> read_quantities(const Node& node, const FieldInfo& info) {
     node.error("expected a list of values with units, found {}", node.describe());
   if (info.length && values.size() != info.length)
     node.error("expected {} values, found {}", info.length, values.size());
-  for (double v : values)
-    if (!info.range.contains(v))
-      node.error("{} {} is not allowed; each value must be {}", shortest(v), info.unit,
-                 info.range.text(info.unit));
+  for (double v : values) {
+    const Node one = node.with_text(write_quantity(v, info.unit).text);
+    check_range(v, one, info);
+  }
   return values;
 }
 

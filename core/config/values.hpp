@@ -2,11 +2,13 @@
 /// expected.
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "core/config/info.hpp"
 #include "core/config/node.hpp"
+#include "core/csv.hpp"
 #include "core/waveform.hpp"
 
 namespace ostium::config {
@@ -24,6 +26,9 @@ std::vector<std::string> read_texts(const Node&, const FieldInfo&);
 
 /// `{file: ..}`, `{times: .., values: ..}`, `{fourier: ..}` or a constant quantity: see waveform_yaml.cpp.
 Waveform read_waveform(const Node&, const std::string& unit);
+/// The same with the content of the file from elsewhere: of the file's name and the lines to skip.
+using TableReader = std::function<Table(const std::filesystem::path&, int)>;
+Waveform read_waveform(const Node&, const std::string& unit, const TableReader&);
 
 Tree write_quantity(double, const std::string& unit);
 Tree write_quantities(const std::vector<double>&, const std::string& unit);

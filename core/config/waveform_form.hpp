@@ -44,7 +44,9 @@ inline void declare(Fields<WaveformForm>& f) {
            {{"linear", Interpolation::linear}, {"monotone_cubic", Interpolation::monotone_cubic}},
            "between the samples")
       .or_else(Interpolation::linear);
-  f.integer("modes", &WaveformForm::modes, "replace the table by its first harmonics").at_least(1);
+  f.integer("modes", &WaveformForm::modes, "replace the table by its first harmonics")
+      .at_least(1)
+      .at_most(500);
   f.choice("sign", &WaveformForm::sign, {{"1", 1.0}, {"+1", 1.0}, {"-1", -1.0}},
            "-1 where the source counts the other direction as positive")
       .or_else(1.0);

@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "core/config/waveform_form.hpp"
-#include "core/csv.hpp"
 #include "core/did_you_mean.hpp"
 #include "core/log.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 
 namespace ostium::config {
@@ -20,12 +20,19 @@ namespace {
 std::size_t column_index(const std::string& wanted, const Table& table, const Node& node) {
   std::vector<std::string> names;
   for (const auto& cell : table.names) names.push_back(column_name(cell).name);
-  const auto named = std::find(names.begin(), names.end(), wanted);
-  if (named != names.end()) return static_cast<std::size_t>(named - names.begin());
   const std::size_t count = table.columns.size();
+  const auto named = std::find(names.begin(), names.end(), wanted);
+  if (const auto k = static_cast<std::size_t>(named - names.begin()); named != names.end() && k < count)
+    return k;
+  if (named != names.end())
+    node.error(
+        "the header has {} names, the rows below have {} columns, so that \"{}\" is none of them; correct "
+        "the "
+        "file",
+        names.size(), count, shown(wanted));
   for (std::size_t k = 0; k < count; ++k)
     if (wanted == std::to_string(k + 1)) return k;
-  node.error("the file has no column \"{}\"; it has {} columns, counted from 1{}", wanted, count,
+  node.error("the file has no column \"{}\"; it has {} columns, counted from 1{}", shown(wanted), count,
              did_you_mean(wanted, names));
 }
 
@@ -56,10 +63,10 @@ void convert(std::vector<double>& values, const std::string& unit, const std::st
   }
 }
 
-Waveform::Table samples_of_file(const WaveformForm& form, const std::string& si) {
+Waveform::Table samples_of_file(const WaveformForm& form, const std::string& si, const TableReader& content) {
   const Node node = form.origin.at("file");
   try {
-    const Table table = read_table(*form.file, form.skip);
+    const Table table = content(*form.file, form.skip);
     Columns c = pick_columns(table, form);
     const std::string unit = form.unit.value_or(c.unit.empty() && si == "1" ? "1" : c.unit);
     if (unit.empty())
@@ -114,8 +121,8 @@ void warn_of_open_period(const Waveform::Table& s, const Node& node, const std::
             shortest(s.values.front()), shortest(s.values.back()), si)));
 }
 
-Waveform waveform_of_table(const WaveformForm& form, const std::string& si) {
-  const Waveform::Table samples = form.file ? samples_of_file(form, si) : samples_inline(form, si);
+Waveform waveform_of_table(const WaveformForm& form, const std::string& si, const TableReader& content) {
+  const Waveform::Table samples = form.file ? samples_of_file(form, si, content) : samples_inline(form, si);
   const Waveform w = form.modes ? Waveform::fourier_of(samples, *form.modes) : Waveform::table(samples);
   warn_of_open_period(samples, form.origin, si);
   return w;
@@ -132,8 +139,14 @@ Waveform waveform_of_series(const WaveformForm& form, const std::string& si) {
     return node ? values_of(*node, form.unit, "unit", si) : std::vector<double>{};
   };
   if (const auto mean = series.find("mean")) {
-    const std::string text =
-        mean->text() + (form.unit && parse_measure(mean->text()).unit.empty() ? " " + *form.unit : "");
+    const auto has_unit = [&] {
+      try {
+        return !parse_measure(mean->text()).unit.empty();
+      } catch (const UserError&) {
+        return true;  // its reader says what is wrong with it
+      }
+    };
+    const std::string text = mean->text() + (form.unit && !has_unit() ? " " + *form.unit : "");
     f.mean = read_quantity(Node(*mean).with_text(text), {.unit = si});
   }
   f.cos = list("cos"), f.sin = list("sin");
@@ -143,6 +156,10 @@ Waveform waveform_of_series(const WaveformForm& form, const std::string& si) {
 }  // namespace
 
 Waveform read_waveform(const Node& node, const std::string& unit) {
+  return read_waveform(node, unit, read_table);
+}
+
+Waveform read_waveform(const Node& node, const std::string& unit, const TableReader& content) {
   if (node.is_scalar()) return Waveform::constant(read_quantity(node, {.unit = unit}));
   if (!node.is_map())
     node.error(
@@ -151,7 +168,7 @@ Waveform read_waveform(const Node& node, const std::string& unit) {
         unit, node.describe());
   const WaveformForm form = read<WaveformForm>(node);
   try {
-    const Waveform w = form.fourier ? waveform_of_series(form, unit) : waveform_of_table(form, unit);
+    const Waveform w = form.fourier ? waveform_of_series(form, unit) : waveform_of_table(form, unit, content);
     return w.scaled(form.sign).delayed(form.delay);
   } catch (const UserError& e) {
     const std::string text = e.what();

@@ -192,7 +192,7 @@ TEST_F(BadInput, TwoBlocksOfOneName) {
 
 TEST_F(BadInput, CaseFileMissing) {
   EXPECT_THAT(ostium("run nothing.yaml").text,
-              HasSubstr("nothing.yaml: this file does not exist or cannot be read"));
+              HasSubstr("nothing.yaml: there is no such file; look at its name and its folder"));
   EXPECT_EQ(ostium("run nothing.yaml").code, 2);
 }
 

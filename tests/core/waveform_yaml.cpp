@@ -98,7 +98,7 @@ TEST_F(WaveformYaml, ErrorsInFiles) {
   EXPECT_EQ(error_in("{file: empty.csv, unit: mL/s}"),
             at + "/empty.csv: there is no row of numbers in this file");
   EXPECT_EQ(error_in("{file: missing.csv, unit: mL/s}"),
-            at + "/missing.csv: this file does not exist or cannot be read");
+            at + "/missing.csv: there is no such file; look at its name and its folder");
   scratch.write("good.csv", "t,Q\n0,1\n1,2\n");
   EXPECT_THAT(error_in("{file: good.csv}"), EndsWith("is missing; add for example \"unit: m3/s\""));
   EXPECT_THAT(error_in("{file: good.csv, unit: mmHg}"),

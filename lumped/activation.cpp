@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "core/vec.hpp"
 
 namespace ostium::lumped {
@@ -67,7 +68,7 @@ double raised_cosine(double s, double duration) {
 double hill(const Activation& a, double s) {
   if (s <= 0) return 0;
   const double g1 = std::pow(s / *a.tau_1, *a.m1), g2 = std::pow(s / *a.tau_2, *a.m2);
-  return g1 / (1 + g1) / (1 + g2);
+  return (std::isinf(g1) ? 1 : g1 / (1 + g1)) / (1 + g2);
 }
 
 double piecewise(const Activation& a, double t) {
@@ -94,17 +95,32 @@ Range ventricular_range() {
 void Activation::prepare() {
   start_ = form == Form::wrapping_cosine ? *end - *duration : start.value_or(0);
   if (form == Form::double_hill) largest_ = maximum([this](double s) { return hill(*this, s); }, *period);
+  constexpr double nothing = 1e-6;
+  if (form == Form::double_hill && !(largest_ > nothing))
+    user_error(
+        "has a double_hill activation that never rises; \"tau_1\" and \"tau_2\" must lie within the beat");
   if (form == Form::fourier) {
     mean_ = mean.value_or(0);
     cos_ = cos.value_or(std::vector<double>{});
     sin_ = sin.value_or(std::vector<double>{});
   }
+  check_values();
   if (form != Form::ventricle) return;
   const auto [low, high] = ventricular_range();
   mean_ = (ventricular_mean - low) / (high - low);
   cos_ = ventricular_part(0), sin_ = ventricular_part(1);
   for (auto* list : {&cos_, &sin_})
     for (double& c : *list) c /= high - low;
+}
+
+/// A series or a table with a slip in its unit or sign is far outside 0 to 1; an overshoot is not.
+void Activation::check_values() const {
+  if (form != Form::fourier && form != Form::table) return;
+  const Waveform curve = form == Form::table ? *table : Waveform::fourier({mean_, cos_, sin_, *period});
+  constexpr double overshoot = 0.5;
+  if (curve.min() < -overshoot || curve.max() > 1 + overshoot)
+    user_error("has an activation from {:g} to {:g}; it must run between 0 (at rest) and 1", curve.min(),
+               curve.max());
 }
 
 double Activation::operator()(double t) const {
@@ -146,6 +162,7 @@ std::vector<double> Activation::kinks(double t0, double t1) const {
   std::vector<double> all;
   for (double corner : corners()) {
     const double T = *period;
+    corner = std::fmod(corner, T);  // however far away it is given, whole numbers of beats stay exact
     for (double n = std::floor((t0 - corner) / T); corner + n * T < t1; ++n)
       if (corner + n * T > t0) all.push_back(corner + n * T);
   }

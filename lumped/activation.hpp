@@ -46,6 +46,7 @@ struct Activation {
   std::vector<double> kinks(double t0, double t1) const;
 
  private:
+  void check_values() const;
   std::vector<double> corners() const;
   double start_ = 0;
   double largest_ = 1;  // of the two Hill functions

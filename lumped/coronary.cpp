@@ -40,7 +40,10 @@ void declare(config::Fields<Coronary>& f) {
   f.quantity("Ca", &Coronary::Ca, "m3/Pa", "compliance of the arteries").non_negative();
   f.quantity("Cim", &Coronary::Cim, "m3/Pa", "compliance of the bed in the muscle").positive();
   f.waveform("Pim", &Coronary::Pim, "Pa", "intramyocardial pressure against time").or_else(Waveform());
-  f.number("share", &Coronary::share, "part of the pressure of `ventricle` that reaches the bed").or_else(1);
+  f.number("share", &Coronary::share, "part of the pressure of `ventricle` that reaches the bed")
+      .at_least(0)
+      .at_most(10)
+      .or_else(1);
   f.quantity("Pd", &Coronary::Pd, "Pa", "distal pressure where there is no node `to`; 0 if not given");
   f.quantity("Ram_max", &Coronary::Ram_max, "Pa.s/m3",
              "resistance of the arterioles at full activation; constant without")

@@ -50,6 +50,11 @@ inline void declare(config::Fields<ElastanceChamber>& f) {
   f.quantity("V0", &ElastanceChamber::V0, "m3", "unstressed volume").or_else(0.0);
   f.quantity("V0_systole", &ElastanceChamber::V0_systole, "m3",
              "unstressed volume at the height of systole; V0 if not given");
+  f.check([](const ElastanceChamber& c) -> std::string {
+    if (c.Emin < c.Emax) return {};
+    return fmt::format("\"Emin\" is {:g} Pa/m3 and must be smaller than \"Emax\" = {:g} Pa/m3", c.Emin,
+                       c.Emax);
+  });
 }
 
 }  // namespace ostium::lumped

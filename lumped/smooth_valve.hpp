@@ -58,6 +58,11 @@ inline void declare(config::Fields<SmoothValve>& f) {
   f.quantity("Rmax", &SmoothValve::Rmax, "Pa.s/m3", "resistance when closed").positive();
   f.quantity("k", &SmoothValve::k, "1/Pa", "steepness").positive();
   f.quantity("ground", &SmoothValve::ground, "Pa", "fixed pressure of the end that is no node");
+  f.check([](const SmoothValve& v) -> std::string {
+    if (v.Rmin < v.Rmax) return {};
+    return fmt::format("\"Rmin\" is {:g} Pa.s/m3 and must be smaller than \"Rmax\" = {:g} Pa.s/m3", v.Rmin,
+                       v.Rmax);
+  });
 }
 
 }  // namespace ostium::lumped

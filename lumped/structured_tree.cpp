@@ -23,6 +23,13 @@ std::string check_tree(const StructuredTree& t) {
     return fmt::format("\"r_min\" is {:g} m and \"r_root\" {:g} m: a tree needs r_min < r_root", t.r_min,
                        t.r_root);
   const double generations = std::log(t.r_min / t.r_root) / std::log(Tree{.xi = t.xi, .eta = t.eta}.alpha());
+  const double womersley = t.r_root * std::sqrt(2 * std::numbers::pi * t.f_max * t.density / t.viscosity);
+  if (womersley > 300)
+    return fmt::format(
+        "the root has the Womersley number {:.3g} at \"f_max\", at most 300 is allowed; look at the units of "
+        "\"r_root\", "
+        "\"f_max\", \"density\" and \"viscosity\"",
+        womersley);
   if (generations > 200)
     return fmt::format(
         "from {:g} m to {:g} m the tree has {:.0f} generations, at most 200 are allowed; raise "

@@ -1,6 +1,7 @@
 #include "lumped/two_terminal.hpp"
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace ostium::lumped {
 
@@ -10,11 +11,17 @@ std::vector<Terminal> ends(const TwoTerminal& b, double ground) {
   return {{"from", b.from.value_or(""), ground}, {"to", b.to.value_or(""), ground}};
 }
 
+constexpr std::size_t longest_name = 200;
+
 void check_nodes(const TwoTerminal& b) {
   if (!b.from && !b.to) user_error("names no node; give `from: NODE` or `to: NODE`, or both");
   if ((b.from && b.from->empty()) || (b.to && b.to->empty()))
     user_error("has a node without a name; write for example `{}: DAo`",
                b.from && b.from->empty() ? "from" : "to");
+  for (const auto& node : {b.from, b.to})
+    if (node && (node->size() > longest_name || node->find('\n') != std::string::npos))
+      user_error("has the node \"{}\"; a name is one line of at most {} characters", shown(*node),
+                 longest_name);
   if (b.from && b.to && *b.from == *b.to)
     user_error("begins and ends at the same node \"{}\"; a block joins two different nodes", *b.from);
 }

@@ -111,7 +111,8 @@ class Use {
     else if (p.value)
       v.node = p.origin.at("default");
     else
-      node_.error("the key \"{}\" is missing: {}{}", name, p.doc, p.unit == "1" ? "" : " [" + p.unit + "]");
+      node_.error("the key \"{}\" is missing: {} [{}]", name,
+                  p.doc.empty() ? "a parameter without default" : p.doc, p.unit);
     if (v.node.is_scalar()) read(v);  // its dimension
     return v;
   }
@@ -168,7 +169,7 @@ class Expansion {
   void place(const std::string& name, const Node& node) {
     const Subnetwork* definition = use_of(node);
     if (!definition) {
-      flat_.entries.push_back(node.grafted(name));
+      add(name, node);
       return;
     }
     enter(node);
@@ -176,6 +177,13 @@ class Expansion {
     for (const auto& [key, inner] : definition->blocks.entries()) place_inner(use, name, key, inner);
     use.check_ports_joined();
     within_.pop_back();
+  }
+
+  /// Subnetworks that use others twice grow without bound in few lines.
+  void add(const std::string& name, const Node& node) {
+    constexpr std::size_t most = 50000;
+    if (flat_.entries.size() == most) node.error("the subnetworks make more than {} blocks; use fewer", most);
+    flat_.entries.push_back(node.grafted(name));
   }
 
   void place_inner(Use& use, const std::string& name, const std::string& key, const Node& inner) {
@@ -190,6 +198,8 @@ class Expansion {
     const std::string type = node.at("type").text();
     if (std::find(within_.begin(), within_.end(), type) != within_.end())
       node.error("the subnetwork \"{}\" contains itself; a definition may use others only", type);
+    constexpr std::size_t deepest = 30;
+    if (within_.size() == deepest) node.error("subnetworks are nested more than {} deep; use fewer", deepest);
     within_.push_back(type);
   }
 

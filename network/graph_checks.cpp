@@ -51,11 +51,14 @@ std::vector<Edge> edges_of(const Model& model, const Graph& g) {
   return edges;
 }
 
+/// The first of a long list stand for all.
 std::string quoted(const std::vector<std::string>& names) {
+  constexpr size_t most = 8;
+  const size_t count = names.size() > most + 1 ? most : names.size();
   std::string text;
-  for (size_t i = 0; i < names.size(); ++i)
+  for (size_t i = 0; i < count; ++i)
     text += (i == 0 ? "\"" : i + 1 == names.size() ? " and \"" : ", \"") + names[i] + "\"";
-  return text;
+  return text + (count < names.size() ? fmt::format(" and {} more", names.size() - count) : "");
 }
 
 struct Check {
@@ -79,6 +82,17 @@ struct Check {
         found.push_back(static_cast<int>(i));
     return found;
   }
+  /// How many blocks are at each node.
+  std::vector<int> blocks_at() const {
+    std::vector<int> count(node_count());
+    for (auto row : g.node_of) {
+      std::sort(row.begin(), row.end());
+      row.erase(std::unique(row.begin(), row.end()), row.end());
+      for (int n : row)
+        if (n != outside) ++count[n];
+    }
+    return count;
+  }
   std::vector<std::string> names(const std::vector<int>& entries) const {
     std::vector<std::string> all;
     for (int i : entries) all.push_back(model.entries[i].name);
@@ -101,9 +115,10 @@ struct Check {
 };
 
 void Check::floating_nodes() const {
+  const auto blocks = blocks_at();
   for (int n = 0; n < node_count(); ++n) {
+    if (blocks[n] > 1 || is_opening(n) || g.junction == Junction::merged) continue;
     const auto at = entries_at([n](int i) { return i == n; });
-    if (at.size() > 1 || is_opening(n) || g.junction == Junction::merged) continue;
     auto others = g.nodes;
     others.insert(others.end(), g.port_name.begin(), g.port_name.end());
     std::erase(others, g.nodes[n]);
@@ -182,27 +197,33 @@ void Check::loops() const {
   }
 }
 
-/// Edges of the tree between two nodes.
-std::vector<Edge> path(const std::vector<Edge>& tree, int from, int to, int came_by = -1) {
-  if (from == to) return {};
-  for (const auto& e : tree) {
-    if (e.entry == came_by || (e.a != from && e.b != from)) continue;
-    const int next = e.a == from ? e.b : e.a;
-    auto rest = path(tree, next, to, e.entry);
-    if (next == to || !rest.empty()) {
-      rest.push_back(e);
-      return rest;
+/// Edges of the tree between two nodes, `ground` being the number of the outside.
+std::vector<Edge> path(const std::vector<Edge>& tree, int from, int to, int ground) {
+  const auto number = [ground](int node) { return node == outside ? ground : node; };
+  std::vector<std::vector<const Edge*>> at(ground + 1);
+  for (const auto& e : tree) at[number(e.a)].push_back(&e), at[number(e.b)].push_back(&e);
+  std::vector<const Edge*> came_by(ground + 1, nullptr);
+  std::vector<int> found{number(from)};
+  for (size_t i = 0; i < found.size(); ++i)
+    for (const Edge* e : at[found[i]]) {
+      const int next = number(e->a) + number(e->b) - found[i];
+      if (next == number(from) || came_by[next]) continue;
+      came_by[next] = e;
+      found.push_back(next);
     }
-  }
-  return {};
+  std::vector<Edge> way;
+  for (int node = number(to); came_by[node]; node = number(way.back().a) + number(way.back().b) - node)
+    way.push_back(*came_by[node]);
+  return way;
 }
 
 void Check::refuse_loop(const std::vector<Edge>& tree, const Edge& last) const {
-  auto loop = path(tree, last.a, last.b);
+  auto loop = path(tree, last.a, last.b, node_count());
   loop.push_back(last);
   std::vector<int> at;
   for (const auto& e : loop) at.push_back(e.entry);
   std::sort(at.begin(), at.end());
+  at.erase(std::unique(at.begin(), at.end()), at.end());
   if (std::all_of(loop.begin(), loop.end(), [](const Edge& e) { return e.nature == Nature::pressure; }))
     user_error(
         "{}: the pressure sources {} prescribe the same pressure twice; drop one of them, or put a resistor "
@@ -211,8 +232,12 @@ void Check::refuse_loop(const std::vector<Edge>& tree, const Edge& last) const {
   user_error(
       "{}: the blocks {} form a loop in which each fixes a pressure difference (a capacitor's is a state), "
       "which makes "
-      "the equations of index 2; put a small resistor in series with one of them",
-      entry(last).where, quoted(names(at)));
+      "the equations of index 2; put a small resistor in series with one of them: give \"{}\" a node of its "
+      "own, "
+      "`{}_r`, and join that to the old one with `{}_r: {{type: resistor, from: {}_r, to: .., R: 1e5 "
+      "Pa.s/m3}}`",
+      entry(last).where, quoted(names(at)), entry(last).name, entry(last).name, entry(last).name,
+      entry(last).name);
 }
 
 }  // namespace

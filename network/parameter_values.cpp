@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
+#include <charconv>
+#include <cmath>
 
 #include "core/did_you_mean.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 
 namespace ostium::network {
@@ -64,8 +66,8 @@ class Expression {
       ++i_;
       const Measured b = product();
       if (!same_dimension(a.unit, b.unit))
-        at_.error("\"{}\" adds {} and {}, which are different things; both sides need one dimension", text_,
-                  a.unit, b.unit);
+        at_.error("\"{}\" adds {} and {}, which are different things; both sides need one dimension",
+                  shown(text_), a.unit, b.unit);
       a.value += (op == '+' ? 1 : -1) * to_si(b.value, b.unit, a.unit);
     }
     return a;
@@ -83,6 +85,14 @@ class Expression {
   }
 
   Measured factor() {
+    constexpr int deepest = 100;
+    if (++depth_ > deepest) fail();
+    const Measured m = signed_or_bracketed();
+    --depth_;
+    return m;
+  }
+
+  Measured signed_or_bracketed() {
     const char c = next();
     if (c == '$') return ++i_, named();
     if (c == '-') {
@@ -110,10 +120,10 @@ class Expression {
   }
 
   Measured number() {
-    const char* begin = text_.c_str() + i_;
-    char* end = nullptr;
-    const double value = std::strtod(begin, &end);
-    if (end == begin || is_letter(*end)) fail();
+    const char *begin = text_.data() + i_, *last = text_.data() + text_.size();
+    double value = 0;
+    const auto [end, status] = std::from_chars(begin, last, value);
+    if (status != std::errc{} || !std::isfinite(value) || (end != last && is_letter(*end))) fail();
     i_ += static_cast<std::size_t>(end - begin);
     return {value, "1"};
   }
@@ -122,13 +132,14 @@ class Expression {
     at_.error(
         "\"{}\" cannot be read from its character {} on; expected parameters ($name), plain numbers, + - * / "
         "and brackets, for example \"0.1 * $R\"",
-        text_, i_ + 1);
+        shown(text_), i_ + 1);
   }
 
   const Node& at_;
   const ParameterValues& parameters_;
   const std::string& text_;
   std::size_t i_ = 0;
+  int depth_ = 0;
 };
 
 bool is_bare(const std::string& text) {

@@ -1,6 +1,7 @@
 #include "network/state_space.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <unsupported/Eigen/MatrixFunctions>
@@ -35,17 +36,33 @@ Parts parts(const System& s, double t, const double* y, const double* dy) {
   return p;
 }
 
-[[noreturn]] void refuse_singular(const System& s, const Eigen::FullPivLU<Eigen::MatrixXd>& lu) {
-  const Eigen::VectorXd open = lu.kernel().col(0);
+/// The block that owns the unknown, or the first one at the node.
+const std::string& place_of(const System& s, int unknown) {
+  const auto& entries = s.model().entries;
+  const auto& nodes = s.graph().node_of;
+  for (size_t i = 0; i < entries.size(); ++i) {
+    const int behind = i + 1 < entries.size() ? s.own(static_cast<int>(i) + 1) : s.size();
+    const bool own = unknown >= s.own(static_cast<int>(i)) && unknown < behind;
+    if (own || std::count(nodes[i].begin(), nodes[i].end(), unknown)) return entries[i].where;
+  }
+  return s.model().where;
+}
+
+/// `open`: what the equations leave free, over scales.
+[[noreturn]] void refuse_singular(const System& s, const Eigen::VectorXd& open) {
+  constexpr int most = 8;
   std::string names;
+  int count = 0, largest = 0;
+  open.cwiseAbs().maxCoeff(&largest);
   for (int j = 0; j < s.size(); ++j)
-    if (std::abs(open[j]) > 1e-3 * open.lpNorm<Eigen::Infinity>())
+    if (std::abs(open[j]) > 1e-3 * open.lpNorm<Eigen::Infinity>() && ++count <= most)
       names += (names.empty() ? "" : ", ") + s.names()[j];
+  if (count > most) names += fmt::format(" and {} more", count - most);
   user_error(
       "{}: the blocks leave {} undetermined: their equations contradict or repeat each other; look for "
       "sources or stores "
       "that act on each other directly and put a resistor or a small compliance between them",
-      s.model().where, names);
+      place_of(s, largest), names);
 }
 
 /// E: a unit port flow enters at the row of its node.
@@ -62,6 +79,7 @@ template <class Matrix>
 Eigen::MatrixXd state_rows(const System& s, const Matrix& m) {
   const auto& states = s.differential_unknowns();
   Eigen::MatrixXd rows(states.size(), m.cols());
+  if (m.cols() == 0) return rows;  // nothing to point to
   for (size_t i = 0; i < states.size(); ++i) rows.row(i) = m.row(states[i]);
   return rows;
 }
@@ -70,9 +88,45 @@ template <class Matrix>
 Eigen::MatrixXd pressure_rows(const System& s, const Matrix& m) {
   const auto& node = s.graph().port_node;
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(node.size(), m.cols());
+  if (m.cols() == 0) return rows;
   for (size_t k = 0; k < node.size(); ++k)
     if (node[k] != outside) rows.row(k) = m.row(node[k]) * s.scale()[node[k]];
   return rows;
+}
+
+}  // namespace
+
+namespace {
+
+/// The matrix with those values on the system's pattern, rows over their largest entry.
+Eigen::SparseMatrix<double> row_scaled(const System& s, const std::vector<double>& values) {
+  Eigen::SparseMatrix<double> matrix = s.pattern();
+  std::copy(values.begin(), values.end(), matrix.valuePtr());
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(s.size());
+  for (int j = 0; j < s.size(); ++j)
+    for (Eigen::SparseMatrix<double>::InnerIterator k(matrix, j); k; ++k)
+      largest[k.row()] = std::max(largest[k.row()], std::abs(k.value()));
+  return largest.unaryExpr([](double r) { return r > 0 ? 1 / r : 1.0; }).asDiagonal() * matrix;
+}
+
+/// Inverse iteration beside the eigenvalue 0: where there is one, x tends to what the matrix M takes to nothing.
+///   (M + delta I) x_{k+1} = x_k
+void check_kernel(const System& s, const std::vector<double>& values) {
+  constexpr double delta = 1e-9, nothing = 1e-13;
+  const Eigen::SparseMatrix<double> matrix = row_scaled(s, values);
+  Eigen::SparseMatrix<double> one(s.size(), s.size());
+  one.setIdentity();
+  Eigen::SparseMatrix<double> moved = matrix + delta * one;
+  moved.makeCompressed();
+  SparseLu lu(s.size(), moved.outerIndexPtr(), moved.innerIndexPtr());
+  if (!lu.factor(moved.valuePtr())) return;  // who solves it says so
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(s.size());
+  for (int k = 0; k < 5; ++k) {
+    lu.solve({x.data(), static_cast<size_t>(x.size())});
+    if (!(x.lpNorm<Eigen::Infinity>() > 0) || !x.allFinite()) return;
+    x /= x.lpNorm<Eigen::Infinity>();
+    if ((matrix * x).lpNorm<Eigen::Infinity>() < nothing) refuse_singular(s, x);
+  }
 }
 
 }  // namespace
@@ -89,6 +143,8 @@ void check_index(const System& s) {
   constexpr double sound = 1e-12;
   SparseLu lu(s.size(), column, row);
   if (lu.factor(d_y.data()) && lu.pivot_ratio() > sound) return;
+  constexpr int few = 300;  // full pivoting of more takes seconds
+  if (s.size() > few) return check_kernel(s, d_y);
   linearise(s, 0, start.data(), zero.data());  // full pivoting decides, and names the unknowns
 }
 
@@ -96,7 +152,7 @@ StateSpace linearise(const System& s, double t, const double* y, const double* d
   const Parts p = parts(s, t, y, dy);
   Eigen::FullPivLU<Eigen::MatrixXd> lu(p.M);
   lu.setThreshold(1e-13);
-  if (!lu.isInvertible()) refuse_singular(s, lu);
+  if (!lu.isInvertible()) refuse_singular(s, lu.kernel().col(0));
   // No states, no ports: matrices without columns, which the solver is spared.
   const auto solved = [&](const Eigen::MatrixXd& m) { return m.cols() ? Eigen::MatrixXd(lu.solve(m)) : m; };
   const Eigen::MatrixXd x = -solved(p.N), q = solved(inputs(s, p.row_scale));

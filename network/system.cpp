@@ -1,6 +1,7 @@
 #include "network/system.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "core/error.hpp"
 
@@ -49,9 +50,17 @@ void System::name_unknowns() {
     scales.push_back(lumped::scale_of(q));
   };
   for (const auto& node : graph_.nodes) add("p:" + node + "_Pa", Quantity::pressure, false, false);
+  std::unordered_set<std::string> taken(names_.begin(), names_.end());
   for (const auto& e : model_.entries)
-    for (const auto& u : e.block->unknowns())
-      add(series_name(e.name, u), u.quantity, u.differential, u.is_switch);
+    for (const auto& u : e.block->unknowns()) {
+      const std::string name = series_name(e.name, u);
+      if (!taken.insert(name).second)
+        user_error(
+            "{}: the results would have two series {}; rename the block \"{}\", or the node or block whose "
+            "name begins with its name",
+            e.where, name, e.name);
+      add(name, u.quantity, u.differential, u.is_switch);
+    }
   scale_ = Eigen::Map<Eigen::VectorXd>(scales.data(), static_cast<int>(scales.size()));
 }
 

@@ -30,6 +30,8 @@ std::vector<Target> targets_of(const CalibrationCase& asked, const network::Mode
                    .value = measured(t.origin.at("value"), t.value, index.unit),
                    .tolerance = measured(t.origin.at("tolerance"), t.tolerance, index.unit),
                    .weight = t.weight});
+    if (!(all.back().tolerance > 0))
+      t.origin.at("tolerance").error("{} is not allowed; it must be > 0", t.tolerance);
   }
   return all;
 }
@@ -42,6 +44,11 @@ std::vector<FreeParameter> free_of(const CalibrationCase& asked, const network::
                    .low = measured(p.origin.at("low"), p.low, found.unit),
                    .high = measured(p.origin.at("high"), p.high, found.unit),
                    .logarithmic = p.logarithmic});
+    if (!(all.back().low < all.back().high))
+      p.origin.at("low").error("{} is not below \"high\", which is {}", p.low, p.high);
+    if (p.logarithmic && !(all.back().low > 0))
+      p.origin.at("low").error(
+          "{} is not > 0, which a logarithmic scale needs; raise it, or write \"scale: linear\"", p.low);
   }
   return all;
 }
@@ -125,6 +132,14 @@ void write_series(const Case& study, const network::Model& model, const std::fil
 
 }  // namespace
 
+void check_calibration(const Case& study, const network::Model& model) {
+  if (!study.calibration) return;
+  if (study.vessel)
+    study.calibration->origin.error(
+        "a calibration is that of a network alone, this case has a vessel; leave one of the two out");
+  targets_of(*study.calibration, model), free_of(*study.calibration, model);
+}
+
 void calibrate_case(const Case& study, const ResultsFolder& folder) {
   if (!study.calibration)
     study.origin.error(
@@ -132,10 +147,8 @@ void calibrate_case(const Case& study, const ResultsFolder& folder) {
         "\"calibration: {{targets: [{{of: mean p:Ao, value: 93 mmHg, tolerance: 1 mmHg}}], parameters: "
         "[{{name: body.Rd, "
         "low: 1e7 Pa.s/m3, high: 1e9 Pa.s/m3}}]}}\"");
-  if (study.vessel)
-    study.calibration->origin.error(
-        "a calibration is that of a network alone, this case has a vessel; leave one of the two out");
   const network::Model model = network::read_model(study.network.blocks);
+  check_calibration(study, model);
   const auto targets = targets_of(*study.calibration, model);
   const auto free = free_of(*study.calibration, model);
   const Calibration c = network::calibrate(

@@ -12,6 +12,9 @@
 
 namespace ostium::app {
 
+/// What a calibration of the case would refuse before it begins; nothing where none is asked for.
+void check_calibration(const Case& study, const network::Model& model);
+
 void calibrate_case(const Case& study, const ResultsFolder& folder);
 
 }  // namespace ostium::app

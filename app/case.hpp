@@ -186,6 +186,7 @@ struct Overrides {
 
 /// Throws UserError with position.
 Case read_case(const std::filesystem::path& file, const Overrides& overrides = {});
+Case read_case(const config::Node& document, const Overrides& overrides = {});
 
 /// The name of a case: of its file, or of the folder of a file called case.yaml.
 std::string case_name(const std::filesystem::path& file);

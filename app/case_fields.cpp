@@ -128,10 +128,11 @@ void declare(config::Fields<CouplingCase>& f) {
 }
 
 void declare(config::Fields<TimeCase>& f) {
-  f.quantity("period", &TimeCase::period, "s", "period of the heart beat").positive();
+  f.quantity("period", &TimeCase::period, "s", "period of the heart beat").at_least(1e-6).at_most(1e6);
   f.integer("cycles", &TimeCase::cycles, "number of periods to run; 1 if only the period is given")
-      .at_least(1);
-  f.quantity("end", &TimeCase::end, "s", "end of the run, instead of cycles").positive();
+      .at_least(1)
+      .at_most(1000000);
+  f.quantity("end", &TimeCase::end, "s", "end of the run, instead of cycles").at_least(1e-6).at_most(1e9);
   f.check(check_time);
 }
 

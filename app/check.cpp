@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/calibrate_case.hpp"
 #include "app/estimate.hpp"
 #include "app/results/sensitivity_output.hpp"
 #include "app/sweep/plan.hpp"
@@ -46,6 +47,7 @@ std::string vessel_part(const Case& study, int threads) {
 std::string network_part(const Case& study) {
   const network::Model model = network::read_model(study.network.blocks);
   if (study.sweep) sweep_plan(study);
+  check_calibration(study, model);
   if (!study.vessel) sought(study, model, network::Network{model}.series_names());
   std::string text = fmt::format("network   {} blocks, starts {}\n", model.entries.size(),
                                  study.initial() == network::Initial::periodic ? "periodic" : "at rest");

@@ -14,6 +14,7 @@
 #include "app/sweep/ranks.hpp"
 #include "app/version.hpp"
 #include "core/log.hpp"
+#include "core/text.hpp"
 
 namespace ostium::app {
 namespace {
@@ -76,7 +77,7 @@ void add_reference(CLI::App& program) {
 
 int report(int code, const char* kind, const std::string& text) {
   std::fflush(stdout);
-  if (is_first_process()) fmt::print(stderr, "{}{}\n", kind, text);
+  if (is_first_process()) fmt::print(stderr, "{}{}\n", kind, printable(text, true));
   return code;
 }
 

@@ -13,6 +13,11 @@ void declare(config::Fields<SensitivityCase>& f) {
       "parameters: `BLOCK.KEY` with a key the case gives, `body.Rd`, `lv.activation.duration`; of a waveform "
       "`heart.flow.factor`, `heart.flow.shift`, `heart.flow.fourier.mean`, `.cos.1`, `.sin.1`");
   f.origin(&SensitivityCase::origin);
+  f.check([](const SensitivityCase& s) -> std::string {
+    if (!s.of.empty() && !s.to.empty()) return {};
+    return "\"of\" and \"to\" name at least one result and one parameter each; write for example {of: [mean "
+           "p:Ao], to: [body.Rd]}";
+  });
 }
 
 void declare(config::Fields<TargetCase>& f) {
@@ -41,6 +46,10 @@ void declare(config::Fields<CalibrationCase>& f) {
       .at_least(1)
       .or_else(60);
   f.origin(&CalibrationCase::origin);
+  f.check([](const CalibrationCase& c) -> std::string {
+    if (!c.targets.empty() && !c.parameters.empty()) return {};
+    return "a calibration needs at least one of \"targets\" and one of \"parameters\"";
+  });
 }
 
 namespace {

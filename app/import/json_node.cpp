@@ -1,12 +1,12 @@
 #include "app/import/json_node.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 #include "core/did_you_mean.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 
 namespace ostium::app {
@@ -18,55 +18,83 @@ using Json = JsonNode::Json;
 class DoubledKeys {
  public:
   bool operator()(int, Json::parse_event_t event, Json& parsed) {
-    if (event == Json::parse_event_t::object_start) open_.emplace_back();
-    if (event == Json::parse_event_t::object_end) open_.pop_back();
-    if (event != Json::parse_event_t::key) return true;
-    const auto key = parsed.get<std::string>();
-    const bool comment = key.starts_with("_");
-    if (!open_.back().insert(key).second && !comment && !doubled) doubled = key;
+    using Event = Json::parse_event_t;
+    if (event == Event::value || event == Event::object_start || event == Event::array_start) count();
+    if (event == Event::object_start || event == Event::array_start)
+      open_.push_back({.list = event == Event::array_start});
+    if (event == Event::object_end || event == Event::array_end) open_.pop_back();
+    if (event == Event::key) enter(parsed.get<std::string>());
     return true;
   }
-  std::optional<std::string> doubled;
+  std::optional<std::string> doubled;  // its path
 
  private:
-  std::vector<std::set<std::string>> open_;
+  struct Open {
+    bool list;
+    int items = 0;
+    std::set<std::string> keys = {};
+    std::string key = {};
+  };
+
+  void count() {
+    if (!open_.empty()) ++open_.back().items;
+  }
+  void enter(const std::string& key) {
+    open_.back().key = key;
+    const bool comment = key.starts_with("_");
+    if (!open_.back().keys.insert(key).second && !comment && !doubled) doubled = path();
+  }
+  std::string path() const {
+    std::string text;
+    for (const auto& o : open_)
+      text += o.list ? fmt::format("[{}]", o.items - 1) : (text.empty() ? "" : ".") + o.key;
+    return text;
+  }
+
+  std::vector<Open> open_;
 };
 
 /// "line 3, column 5: .." of the library's sentence, which begins with its own name.
 std::string reason(const std::string& what) {
-  const auto at = what.find("line ");
-  return at == std::string::npos ? what : what.substr(at);
+  const auto line = what.find("line "), name = what.find("] ");
+  return line != std::string::npos   ? what.substr(line)
+         : name != std::string::npos ? what.substr(name + 2)
+                                     : what;
 }
 
-std::string content_of(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file))
-    user_error("{}: there is no such file; name the JSON file of the model", file.string());
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+/// Of the brackets outside texts; the parser itself has no bound.
+int depth_of(const std::string& text) {
+  int depth = 0, most = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"') quoted = !quoted;
+    if (quoted && c == '\\') ++i;
+    if (!quoted) most = std::max(most, depth += (c == '{' || c == '[') - (c == '}' || c == ']'));
+  }
+  return most;
 }
 
 }  // namespace
 
-JsonNode JsonNode::load(const std::filesystem::path& file) { return parse(content_of(file), file.string()); }
+JsonNode JsonNode::load(const std::filesystem::path& file) {
+  return parse(read_text_file(file), file.string());
+}
 
 JsonNode JsonNode::parse(const std::string& text, const std::string& file_name) {
-  constexpr int deepest = 64;  // the format has six levels; the parser itself has no bound
-  int depth = 0, most = 0;
-  for (char c : text) most = std::max(most, depth += (c == '{' || c == '[') - (c == '}' || c == ']'));
-  if (most > deepest) user_error("{}: nested {} deep, at most {} is allowed", file_name, most, deepest);
+  constexpr int deepest = 64;  // the format has six levels
+  if (const int depth = depth_of(text); depth > deepest)
+    user_error("{}: nested {} deep, at most {} is allowed", file_name, depth, deepest);
   DoubledKeys keys;
   JsonNode root;
   root.file_ = file_name;
   try {
     root.document_ = std::make_shared<const Json>(Json::parse(text, std::ref(keys)));
   } catch (const Json::exception& e) {
-    user_error("{}: this is no valid JSON: {}", file_name, reason(e.what()));
+    user_error("{}: this is no valid JSON: {}", file_name, printable(reason(e.what())));
   }
   root.value_ = root.document_.get();
-  if (keys.doubled)
-    root.error("the key \"{}\" is given twice in one object; drop one of them", *keys.doubled);
+  if (keys.doubled) root.error("{}: this key is given twice in one object; drop one of them", *keys.doubled);
   if (!root.is_object()) root.error("expected an object {{..}} at the top, found {}", root.describe());
   return root;
 }
@@ -190,14 +218,19 @@ void JsonNode::check_keys(const std::vector<std::string>& allowed) const {
 
 std::string JsonNode::where() const { return path_.empty() ? file_ : file_ + ": " + path_; }
 
+std::string JsonNode::message(const std::string& sentence) const {
+  return printable(where() + ": " + sentence);
+}
+
 std::string JsonNode::describe() const {
   if (value_->is_object()) return "an object";
   if (value_->is_array()) return "a list";
   if (value_->is_null()) return "null";
+  const std::string text = value_->dump(-1, ' ', false, Json::error_handler_t::replace);
   return (value_->is_string()    ? "the text "
           : value_->is_boolean() ? "the value "
                                  : "the number ") +
-         value_->dump(-1, ' ', false, Json::error_handler_t::replace);
+         shown(text);
 }
 
 }  // namespace ostium::app

@@ -60,9 +60,10 @@ class JsonNode {
 
   template <class... Args>
   [[noreturn]] void error(fmt::format_string<Args...> sentence, Args&&... args) const {
-    throw UserError(where() + ": " + fmt::format(sentence, std::forward<Args>(args)...));
+    throw UserError(message(fmt::format(sentence, std::forward<Args>(args)...)));
   }
   std::string where() const;
+  std::string message(const std::string& sentence) const;
   /// "the number 3", "a list": for error texts.
   std::string describe() const;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/import/check_imported.hpp"
 #include "app/import/openbf_walls.hpp"
 #include "core/units.hpp"
 
@@ -91,9 +92,17 @@ class Circuit {
 }  // namespace openbf
 
 ImportedOpenbf import_openbf(const std::filesystem::path& file, int pieces) {
+  return import_openbf(config::Node::load(file), pieces);
+}
+
+ImportedOpenbf import_openbf(const config::Node& model, int pieces) {
   using namespace openbf;
+  const std::filesystem::path file = model.file();
   ImportedOpenbf made;
-  const Source source = read_source(file, made.notes);
+  const Source source = read_source(model, made.notes);
+  if (source.vessels.size() * static_cast<std::size_t>(pieces) > 100000)
+    model.error("{} vessels in {} pieces each are too many; at most 100000 blocks are made",
+                source.vessels.size(), pieces);
   Circuit circuit(source, pieces);
   Tree blocks = circuit.blocks(), network = Tree::map(), time = Tree::map(), all = Tree::map();
   made.vessels = source.vessels.size(), made.blocks = blocks.entries.size();
@@ -107,6 +116,7 @@ ImportedOpenbf import_openbf(const std::filesystem::path& file, int pieces) {
   all.add("title", text(source.name)).add("network", std::move(network)).add("time", std::move(time));
   all.add("output", std::move(output));
   made.yaml = "# Imported from " + file.filename().string() + " of openBF\n" + config::to_yaml(all);
+  check_imported(made.yaml, file);
   return made;
 }
 

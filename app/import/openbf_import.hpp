@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "core/config/node.hpp"
+
 namespace ostium::app {
 
 struct ImportedOpenbf {
@@ -22,5 +24,6 @@ struct ImportedOpenbf {
 
 /// pieces: of each vessel, >= 1. Throws UserError with position.
 ImportedOpenbf import_openbf(const std::filesystem::path& file, int pieces);
+ImportedOpenbf import_openbf(const config::Node& model, int pieces);
 
 }  // namespace ostium::app

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/csv.hpp"
+#include "core/waveform.hpp"
 
 namespace ostium::app::openbf {
 namespace {
@@ -42,7 +43,9 @@ void read_inlet(Source& s, const std::filesystem::path& file) {
         "columns",
         file.string(), table.columns.size());
   s.times = table.columns[0], s.flow = table.columns[1];
-  if (s.times.front() != 0 || !(s.period() > 0))
+  Waveform::check({.times = s.times, .values = s.flow, .period = s.times.back()},
+                  [&](std::size_t i) { return fmt::format("{}:{}", file.string(), table.lines[i]); });
+  if (s.times.front() != 0)
     user_error(
         "{}:{}: the inflow begins at {:g} s; openBF repeats it from 0 to its last time, let it begin at 0",
         file.string(), table.lines.front(), s.times.front());
@@ -123,8 +126,8 @@ void declare(config::Fields<VesselData>& f) {
   f.check(check_vessel);
 }
 
-Source read_source(const std::filesystem::path& file, std::vector<std::string>& notes) {
-  const config::Node root = config::Node::load(file);
+Source read_source(const config::Node& root, std::vector<std::string>& notes) {
+  const std::filesystem::path file = root.file();
   Document d = config::read<Document>(root);
   Source s{
       .name = d.project_name, .blood = d.blood, .vessels = std::move(d.network), .times = {}, .flow = {}};
@@ -132,7 +135,11 @@ Source read_source(const std::filesystem::path& file, std::vector<std::string>& 
   check_labels(s);
   check_ends(s);
   s.inlet = inlet_of(s, file.string());
-  read_inlet(s, d.inlet_file.value_or(file.parent_path() / (s.name + "_inlet.dat")));
+  try {
+    read_inlet(s, d.inlet_file.value_or(file.parent_path() / (s.name + "_inlet.dat")));
+  } catch (const UserError& e) {
+    root.find("inlet_file").value_or(root).error("{}", e.what());
+  }
   for (const auto& v : s.vessels)
     if (v.visco_elastic) notes.push_back("viscosity of the wall of \"" + v.label + "\"");
   return s;

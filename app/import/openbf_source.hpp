@@ -51,6 +51,6 @@ void declare(config::Fields<BloodData>& f);
 void declare(config::Fields<VesselData>& f);
 
 /// Throws UserError with file, line and column.
-Source read_source(const std::filesystem::path& file, std::vector<std::string>& notes);
+Source read_source(const config::Node& root, std::vector<std::string>& notes);
 
 }  // namespace ostium::app::openbf

@@ -112,8 +112,9 @@ Steady steady_state(const Source& source) {
     made = solve(source, pressure);
     if (change < 1e-6) return made;  // Pa
   }
-  user_error("the steady state of \"{}\" was not found in 100 rounds; check the inflow and the outlets",
-             source.name);
+  source.vessels.front().origin.error(
+      "the steady state of \"{}\" was not found in 100 rounds; check the inflow and the outlets",
+      source.name);
 }
 
 }  // namespace ostium::app::openbf

@@ -181,7 +181,11 @@ Tree Circuit::variables() const {
   const auto flow = flows();
   for (std::size_t c = 0; c < flow.size(); ++c) {
     const auto& name = source.connections[c].name;
-    OSTIUM_ASSERT(flow[c].has_value(), "no block tells the flow of {}", name);
+    if (!flow[c])
+      source.root.error(
+          "junctions: nothing says the flow of the connection {}: it lies in a ring of junctions; put a "
+          "vessel between two of them",
+          name);
     add("flow:" + name, units.flow, *flow[c]);
     add("pressure:" + name, units.pressure, Expression::pressure(node(static_cast<int>(c))));
   }

@@ -59,7 +59,8 @@ bool settled(const std::vector<double>& before, const std::vector<double>& now, 
 
 int run_until_settled(const Source& source, const Circuit& circuit, network::Network& network) {
   const auto wanted = caps(source, circuit.variables());
-  constexpr int most = 10000;
+  constexpr int most_samples = 2000000;
+  const int most = std::clamp(most_samples / source.run.points, source.run.cycles + 10, 10000);
   std::vector<double> before, now = means(network, source, wanted);
   for (int cycle = 2; cycle <= most; ++cycle) {
     before = std::move(now);
@@ -85,7 +86,17 @@ int cycles_of(const Source& source, const Circuit& circuit, network::Network net
     if (part.type == "RCR")
       slowest = std::max(slowest, part.values.at("Rd").number() * part.values.at("C").number());
   if (slowest == 0) return run_until_settled(source, circuit, network);
-  return std::max(1, static_cast<int>(std::ceil(-slowest / source.period * std::log(*run.cycle_error))));
+  const double cycles = std::ceil(-slowest / source.period * std::log(*run.cycle_error));
+  constexpr double most = 100000;
+  if (cycles > most)
+    source.root.at("simulation_parameters")
+        .at("use_cycle_to_cycle_error")
+        .error(
+            "the slowest Rd C of an RCR is {:.3g} s, which makes {:.3g} cycles, at most {:g} are run; look "
+            "at its "
+            "values, or set it to false and give \"number_of_cardiac_cycles\"",
+            slowest, cycles, most);
+  return std::max(1, static_cast<int>(cycles));
 }
 
 }  // namespace ostium::app::svzerod

@@ -1,5 +1,6 @@
 #include "app/import/svzerod_import.hpp"
 
+#include "app/import/check_imported.hpp"
 #include "app/import/svzerod_cycles.hpp"
 #include "app/import/svzerod_steady.hpp"
 #include "app/import/svzerod_units.hpp"
@@ -51,9 +52,14 @@ Tree case_of(const Source& source, const Circuit& circuit, int cycles) {
 }  // namespace svzerod
 
 Imported import_svzerod(const std::filesystem::path& file, const std::optional<std::string>& units) {
+  return import_svzerod(JsonNode::load(file), file, units);
+}
+
+Imported import_svzerod(const JsonNode& model, const std::filesystem::path& file,
+                        const std::optional<std::string>& units) {
   using namespace svzerod;
   Imported result;
-  Source source = read_source(JsonNode::load(file), result.notes);
+  Source source = read_source(model, result.notes);
   source.title = file.stem().string();
   std::tie(result.units, result.why_units) =
       units ? std::pair(*units, std::string("as told")) : guess_units(source);
@@ -67,6 +73,7 @@ Imported import_svzerod(const std::filesystem::path& file, const std::optional<s
   const Tree made = case_of(source, circuit, cycles);
   result.yaml =
       "# Imported from " + file.filename().string() + ", units " + system.name + "\n" + config::to_yaml(made);
+  check_imported(result.yaml, file);
   result.blocks = circuit.blocks.entries.size();
   result.variables = circuit.variables().entries.size();
   return result;

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "app/import/json_node.hpp"
 #include "app/import/unit_system.hpp"
 
 namespace ostium::app {
@@ -27,5 +28,8 @@ struct Imported {
 
 /// Throws UserError with file and JSON path; also where the network cannot be solved as it is joined.
 Imported import_svzerod(const std::filesystem::path& file, const std::optional<std::string>& units = {});
+/// `file` gives the case its title and errors their place.
+Imported import_svzerod(const JsonNode& model, const std::filesystem::path& file,
+                        const std::optional<std::string>& units = {});
 
 }  // namespace ostium::app

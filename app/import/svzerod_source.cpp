@@ -36,6 +36,10 @@ void find_period(Source& source) {
                   shortest(period), shortest(first->first), first->second);
   });
   source.period = first ? first->first : 1;
+  constexpr double shortest_period = 1e-6, longest = 1e6;
+  if (source.period < shortest_period || source.period > longest)
+    source.root.error("{}: the period of {} s must be from {:g} s to {:g} s", first->second,
+                      shortest(source.period), shortest_period, longest);
 }
 
 std::map<std::string, double> values_of(const JsonNode& root, const char* key) {
@@ -102,8 +106,13 @@ void read_run(Source& source, std::vector<std::string>& notes) {
             "the "
             "imported network to the openings of a vessel");
   Run& run = source.run;
-  run.cycles = given.at("number_of_cardiac_cycles").integer_at_least(1);
-  run.points = given.at("number_of_time_pts_per_cardiac_cycle").integer_at_least(2);
+  const auto bounded = [&](const char* key, int least, int most) {
+    const int n = given.at(key).integer_at_least(least);
+    if (n > most) given.at(key).error("must be at most {}, found {}", most, n);
+    return n;
+  };
+  run.cycles = bounded("number_of_cardiac_cycles", 1, 100000);
+  run.points = bounded("number_of_time_pts_per_cardiac_cycle", 2, 1000000);
   if (const auto interval = given.find("output_interval")) run.interval = interval->integer_at_least(1);
   run.steady_initial = given.flag("steady_initial", true);
   run.all_cycles = given.flag("output_all_cycles", false);
@@ -119,8 +128,38 @@ void read_run(Source& source, std::vector<std::string>& notes) {
       notes.push_back(std::string(key) + ": of no use here, the integrator controls its own error");
 }
 
+namespace {
+
+/// A misspelt section is an error; one with a name of its own belongs to somebody else.
+void check_sections(const JsonNode& root, std::vector<std::string>& notes) {
+  const std::vector<std::string> known{"simulation_parameters",
+                                       "boundary_conditions",
+                                       "vessels",
+                                       "junctions",
+                                       "closed_loop_blocks",
+                                       "valves",
+                                       "chambers",
+                                       "external_solver_coupling_blocks",
+                                       "initial_condition",
+                                       "initial_condition_d",
+                                       "calibration_parameters"};
+  const std::vector<std::string> others{"description", "y", "dy"};
+  for (const auto& [key, node] : root.entries()) {
+    if (key.starts_with("_") || std::count(known.begin(), known.end(), key) ||
+        std::count(others.begin(), others.end(), key))
+      continue;
+    if (const auto near = nearest_name(key, known))
+      node.error("there is no such section; did you mean \"{}\"? (a name that begins with _ is a comment)",
+                 *near);
+    notes.push_back(key + ": a section of no meaning here");
+  }
+}
+
+}  // namespace
+
 Source read_source(const JsonNode& root, std::vector<std::string>& notes) {
   Source source(root);
+  check_sections(root, notes);
   root.at("simulation_parameters");
   read_parts(source);
   read_run(source, notes);

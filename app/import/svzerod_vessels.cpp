@@ -30,15 +30,17 @@ Rcl read(const Part& part) {
 }
 
 /// The series of a flow that is given at the connection itself or beyond parts that let it pass.
-std::optional<Series> given_flow(const Source& source, int connection, bool downstream, int passed = 0) {
-  const auto& c = source.connections[connection];
-  const Part& next = source.parts[downstream ? c.down : c.up];
-  if (next.type == "FLOW") return read_series(next.values, "Q");
-  const bool passes = (is_vessel(next) && read(next).C == 0) ||
-                      (next.type == "NORMAL_JUNCTION" && next.in.size() == 1 && next.out.size() == 1);
-  const bool ring = passed > static_cast<int>(source.connections.size());
-  if (!passes || ring) return std::nullopt;
-  return given_flow(source, downstream ? next.out[0] : next.in[0], downstream, passed + 1);
+std::optional<Series> given_flow(const Source& source, int connection, bool downstream) {
+  for (std::size_t passed = 0; passed <= source.connections.size(); ++passed) {  // more would be a ring
+    const auto& c = source.connections[connection];
+    const Part& next = source.parts[downstream ? c.down : c.up];
+    if (next.type == "FLOW") return read_series(next.values, "Q");
+    const bool passes = (is_vessel(next) && read(next).C == 0) ||
+                        (next.type == "NORMAL_JUNCTION" && next.in.size() == 1 && next.out.size() == 1);
+    if (!passes) return std::nullopt;
+    connection = downstream ? next.out[0] : next.in[0];
+  }
+  return std::nullopt;
 }
 
 std::optional<Series> through_inertance(const Source& source, const Part& part, const Rcl& v) {

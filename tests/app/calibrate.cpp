@@ -84,11 +84,12 @@ TEST_F(Calibrating, AWindkesselMeetsItsTargets) {
 TEST_F(Calibrating, Refusals) {
   const std::tuple<std::string, std::string, std::string> all[] = {
       {"93 mmHg", "93 mL", "calibration.targets.1.value: the unit \"mL\" has the wrong dimension"},
-      {"tolerance: 1 mmHg", "tolerance: 0 mmHg", "has the tolerance 0"},
+      {"tolerance: 1 mmHg", "tolerance: 0 mmHg",
+       "calibration.targets.1.tolerance: 0 mmHg is not allowed; it must be > 0"},
       {"mean p:A", "mean p:B", "p:A"},
       {"bed.C,", "bed.D,", "there is no parameter \"bed.D\""},
       {"high: 1e10 Pa.s/m3", "high: 1e8 Pa.s/m3", "bed.Rd starts at 4e+08 Pa.s/m3, outside its bounds"},
-      {"low: 1e7 Pa.s/m3", "low: 0 Pa.s/m3", "a logarithmic scale needs low > 0"},
+      {"low: 1e7 Pa.s/m3", "low: 0 Pa.s/m3", "0 Pa.s/m3 is not > 0, which a logarithmic scale needs"},
       {"    - {name: bed.Rd", "    - {nam: bed.Rd", "did you mean \"name\"?"},
   };
   for (const auto& [from, to, sentence] : all) {

@@ -147,11 +147,11 @@ INSTANTIATE_TEST_SUITE_P(
     Table, ImportSvzerodErrors,
     testing::Values(
         Refusal{"{\"number", "{number", "this is no valid JSON: line 2, column"},
-        Refusal{"\"vessels\": [", "\"vessels\": [], \"vessels\": [", "the key \"vessels\" is given twice"},
+        Refusal{"\"vessels\": [", "\"vessels\": [], \"vessels\": [", "vessels: this key is given twice"},
         Refusal{"\"vessels\": [", "\"vessels\": 3, \"x\": [",
                 "vessels: expected a list [..], found the number 3"},
         Refusal{"\"simulation_parameters\"", "\"simulation_parameter\"",
-                "the key \"simulation_parameters\" is missing; is it \"simulation_parameter\"?"},
+                "simulation_parameter: there is no such section; did you mean \"simulation_parameters\"?"},
         Refusal{"\"number_of_cardiac_cycles\": 3", "\"number_of_cardiac_cycles\": 0",
                 "simulation_parameters.number_of_cardiac_cycles: must be at least 1, found 0"},
         Refusal{"\"number_of_cardiac_cycles\": 3", "\"number_of_cardiac_cycles\": 2.5",

@@ -57,7 +57,8 @@ class Engine {
                        Rows* rows = nullptr) = 0;
 };
 
-std::unique_ptr<Engine> make_exact_engine(const System& system, Consistent& consistent);
+/// tolerance: of the sources' integrals over a step, in the states' scales.
+std::unique_ptr<Engine> make_exact_engine(const System& system, Consistent& consistent, double tolerance);
 std::unique_ptr<Engine> make_runge_kutta_engine(const System& system, Consistent& consistent,
                                                 double relative_tolerance);
 std::unique_ptr<Engine> make_ida_engine(const System& system, Consistent& consistent,

@@ -59,8 +59,8 @@ Eigen::MatrixXd drive_matrix(const System& s) {
 
 class ExactEngine final : public Engine {
  public:
-  ExactEngine(const System& system, Consistent& consistent)
-      : system_(system), consistent_(consistent), forcing_(system.size()) {
+  ExactEngine(const System& system, Consistent& consistent, double tolerance)
+      : system_(system), consistent_(consistent), tolerance_(tolerance), forcing_(system.size()) {
     const std::vector<double> zero(system.size(), 0.0);
     A_ = linearise(system, 0, zero.data(), zero.data()).A;
     G_ = drive_matrix(system);
@@ -101,7 +101,7 @@ class ExactEngine final : public Engine {
     for (double s : {0.1835034190722739, 0.6180339887498949}) {
       const auto& true_drive = drive(a + s * h, flows);
       fit_ = c.col(0) + s * (c.col(1) + s * (c.col(2) / 2 + s * c.col(3) / 6));
-      const double allowed = tolerance * (1 + h * true_drive.lpNorm<Eigen::Infinity>());
+      const double allowed = tolerance_ * (1 + h * true_drive.lpNorm<Eigen::Infinity>());
       if (h * (fit_ - true_drive).lpNorm<Eigen::Infinity>() > allowed) return true;
     }
     return false;
@@ -123,10 +123,10 @@ class ExactEngine final : public Engine {
     return phi_[h] = phi_functions(A_ * h);
   }
 
-  static constexpr double tolerance = 1e-12;  // of the states' scales
   static constexpr int deepest = 16;
   const System& system_;
   Consistent& consistent_;
+  double tolerance_;  // of the states' scales
   Eigen::MatrixXd A_, G_;
   Eigen::VectorXd forcing_, drive_, fit_, end_;  // kept for their memory, as the samples
   Samples samples_, cubic_;
@@ -136,8 +136,8 @@ class ExactEngine final : public Engine {
 
 }  // namespace
 
-std::unique_ptr<Engine> make_exact_engine(const System& system, Consistent& consistent) {
-  return std::make_unique<ExactEngine>(system, consistent);
+std::unique_ptr<Engine> make_exact_engine(const System& system, Consistent& consistent, double tolerance) {
+  return std::make_unique<ExactEngine>(system, consistent, tolerance);
 }
 
 }  // namespace ostium::network

@@ -35,7 +35,9 @@ std::unique_ptr<Engine> make_engine(const System& system, Consistent& consistent
   constexpr size_t few = 24;  // above it a matrix exponential costs more than steps
   const bool small = system.differential_unknowns().size() <= few;
   const bool exact = options.method == Method::exact || (options.method == Method::automatic && small);
-  if (exact && system.linear()) return make_exact_engine(system, consistent);
+  constexpr double finer = 1e-4;  // than steps need: it costs little, and errors of steps add up
+  if (exact && system.linear())
+    return make_exact_engine(system, consistent, finer * options.relative_tolerance);
   if (options.method == Method::ida) return make_ida_engine(system, consistent, options.relative_tolerance);
   return make_runge_kutta_engine(system, consistent, options.relative_tolerance);
 }

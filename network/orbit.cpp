@@ -23,8 +23,11 @@ class Witness final : public Watcher {
 
 }  // namespace
 
-Orbit::Orbit(const Model& model, const std::vector<Port>& ports, double period)
-    : closure_(model, ports), period_(period), no_flow_(closure_.system().ports().size(), 0.0) {
+Orbit::Orbit(const Model& model, const std::vector<Port>& ports, double period, const NetworkOptions& options)
+    : closure_(model, ports),
+      options_(options),
+      period_(period),
+      no_flow_(closure_.system().ports().size(), 0.0) {
   restart();
 }
 
@@ -40,7 +43,7 @@ void Orbit::restart() {
   const auto y = system_.start();
   state_ = {0, {y.begin(), y.end()}, std::vector<double>(y.size(), 0.0), no_flow_};
   space_ = linearise(system_, 0, state_.y.data(), state_.dy.data());
-  engine_ = make_engine(system_, consistent_, {});
+  engine_ = make_engine(system_, consistent_, options_);
 }
 
 Eigen::VectorXd Orbit::states() const {

@@ -19,7 +19,8 @@ namespace ostium::network {
 
 class Orbit {
  public:
-  Orbit(const Model& model, const std::vector<Port>& ports, double period);
+  Orbit(const Model& model, const std::vector<Port>& ports, double period,
+        const NetworkOptions& options = {});
   /// Blocks with other parameters in the places of others, and back to the start values.
   void replace(std::span<const Replacement> blocks);
   void remember_sources() { closure_.remember_sources(); }
@@ -60,6 +61,7 @@ class Orbit {
   Closure closure_;
   const System& system_ = closure_.system();
   Consistent consistent_{system_};
+  NetworkOptions options_;
   std::unique_ptr<Engine> engine_;
   Invariants invariants_{system_};
   StateSpace space_;

@@ -11,6 +11,8 @@ namespace ostium::network {
 
 namespace {
 
+constexpr NetworkOptions as_a_run{.relative_tolerance = SimulateOptions{}.relative_tolerance};
+
 void check_period(const std::vector<Parameter>& parameters, const Model& model) {
   for (const auto& p : parameters)
     if (p.name.ends_with(".period"))
@@ -37,12 +39,15 @@ Study::Study(const Model& model, std::vector<Parameter> parameters, const std::v
       parameters_(std::move(parameters)),
       indices_(indices),
       changes_(model),
-      network_(model, {}, {.relative_tolerance = SimulateOptions{}.relative_tolerance}),
+      network_(model, {}, as_a_run),
       rows_(indices),
       y_(network_.series_names().size()) {
   const bool periodic = run.initial == Initial::periodic;
   const double window = run.period > 0 ? std::min(run.period, run.end) : run.end;
-  if (periodic) check_period(parameters_, model), orbit_.emplace(model, std::vector<Port>{}, run.period);
+  if (periodic) {
+    check_period(parameters_, model);
+    orbit_.emplace(model, std::vector<Port>{}, run.period, network_.linear() ? as_a_run : NetworkOptions{});
+  }
   network_.remember_sources();
   if (orbit_) orbit_->remember_sources();
   begins_ = periodic ? 0 : run.end - window;
@@ -68,10 +73,10 @@ void Study::run(std::span<const double> values, std::span<double> results) {
 
 /// A linear network needs a single correction; that the results begin and end alike confirms it.
 void Study::run_periodic() {
-  constexpr double alike = 1e-6;  // of the states' scales, as find_periodic asks
-  if (!network_.linear()) return from_periodic(alike);
+  constexpr double alike = 1e-5, enough = 1e-6;  // of the states' scales
+  if (!network_.linear()) return from_periodic(enough);
   from_periodic(std::numeric_limits<double>::infinity());
-  if (change() > alike) from_periodic(alike);
+  if (change() > alike) from_periodic(enough);
 }
 
 void Study::from_periodic(double enough) {

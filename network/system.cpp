@@ -178,20 +178,33 @@ void System::residual(double t, const double* y, const double* dy, std::span<con
 }
 
 void System::forcing(double t, std::span<const double> port_flow, double* f) const {
-  const auto& driven = this->driven(t);
-  for (size_t i = 0; i < driven.size(); ++i) f[i] = constant_forcing_[i] + driven[i];
+  const double* driven = this->driven(t);
+  for (int i = 0; i < size(); ++i) f[i] = constant_forcing_[i] + driven[i];
   subtract_port_flows(port_flow, f);
 }
 
-/// The part of the forcing that reads the time.
-const std::vector<double>& System::driven(double t) const {
-  constexpr size_t most = 1 << 20;  // numbers, 8 MB
-  if (const auto known = remembered_.find(t); known != remembered_.end()) return known->second;
-  driven_.assign(size(), 0.0);
+void System::add_driven(double t, double* f) const {
   for (const auto& p : placed_)
-    if (!p.autonomous) add_residual(p, t, gather(p, zero_.data(), zero_.data()), driven_.data());
-  if (!remembers_ || (remembered_.size() + 1) * driven_.size() > most) return driven_;
-  return remembered_[t] = driven_;
+    if (!p.autonomous) add_residual(p, t, gather(p, zero_.data(), zero_.data()), f);
+}
+
+/// The part of the forcing that reads the time.
+const double* System::driven(double t) const {
+  const auto n = names_.size();
+  auto& s = sources_;
+  if (s.on && ++s.last < s.times.size() && s.times[s.last] == t) return &s.values[s.last * n];
+  if (const auto known = s.at.find(t); known != s.at.end()) {
+    s.last = known->second;
+    return &s.values[s.last * n];
+  }
+  driven_.assign(n, 0.0);
+  add_driven(t, driven_.data());
+  constexpr std::size_t most = 1 << 20;  // numbers, 8 MB
+  if (s.on && (s.times.size() + 1) * n <= most) {
+    s.last = s.at[t] = s.times.size();
+    s.times.push_back(t), s.values.insert(s.values.end(), driven_.begin(), driven_.end());
+  }
+  return driven_.data();
 }
 
 void System::jacobian(double t, const double* y, const double* dy, double* d_y, double* d_dy) const {
@@ -243,7 +256,7 @@ void System::replace(int entry, std::shared_ptr<const lumped::Block> block) {
         "network "
         "where 0 stays 0 and others do not become 0",
         model_.entries[entry].where);
-  if (!placed_[entry].autonomous || !block->autonomous()) remembered_.clear();
+  if (!placed_[entry].autonomous || !block->autonomous()) sources_ = {.on = sources_.on};
   read(placed_[entry], *block);
   model_.entries[entry].block = std::move(block);
   linear_ = std::all_of(placed_.begin(), placed_.end(), [](const auto& p) { return p.linear; });

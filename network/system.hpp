@@ -43,7 +43,7 @@ class System {
   void forcing(double t, std::span<const double> port_flow, double* f) const;
 
   /// From now on keeps what the sources gave at each time, for runs that ask again for the same times.
-  void remember_sources() { remembers_ = true; }
+  void remember_sources() { sources_.on = true; }
 
   int switch_count() const { return static_cast<int>(switches_.size()); }
   bool on(int k, const double* y) const { return y[switches_[k].unknown] > 0.5; }
@@ -131,10 +131,17 @@ class System {
   bool linear_ = true;
   /// Of the blocks whose Jacobian is constant, and of those that do not read the time.
   std::vector<double> linear_d_y_, linear_d_dy_, constant_forcing_, zero_;
-  const std::vector<double>& driven(double t) const;
+  const double* driven(double t) const;
+  void add_driven(double t, double* f) const;
   mutable std::vector<double> x_, out_, driven_;  // of one block and of the sources, kept for their memory
-  bool remembers_ = false;
-  mutable std::unordered_map<double, std::vector<double>> remembered_;
+  /// What sources gave, in the order in which it was first asked for: most runs ask in the same order again.
+  struct Remembered {
+    bool on = false;
+    std::vector<double> times{}, values{};  // size() values per time
+    std::unordered_map<double, std::size_t> at{};
+    std::size_t last = 0;
+  };
+  mutable Remembered sources_;
 };
 
 }  // namespace ostium::network

@@ -130,7 +130,7 @@ TEST(Design, RowsDependOnTheSeedAlone) {
 
 TEST(Design, Refusals) {
   const auto refused = [](DesignOptions o) { return refusal([&] { Design{o}; }); };
-  EXPECT_THAT(refused({.count = 3}), HasSubstr("needs at least one parameter"));
+  EXPECT_THAT(refused({.count = 3, .parameters = {}}), HasSubstr("needs at least one parameter"));
   EXPECT_THAT(refused({.count = 0, .parameters = {listed("a", {1})}}), HasSubstr("found a count of 0"));
   EXPECT_THAT(refused({.count = 3, .parameters = {listed("a", {1}), listed("a", {1})}}),
               HasSubstr("the parameter a is given twice"));

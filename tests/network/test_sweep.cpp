@@ -102,7 +102,9 @@ TEST(Sweep, SameBitsForAnyThreadsAndOrder) {
     for (std::size_t i = 0; i < 12; ++i) {
       ASSERT_EQ(a[i].outcome, Outcome::ok) << a[i].reason;
       EXPECT_EQ(a[i].results, b[i].results);
-      if (i % 2 == 1) EXPECT_EQ(a[i].results, odd[i / 2].results);
+      if (i % 2 == 1) {
+        EXPECT_EQ(a[i].results, odd[i / 2].results);
+      }
       Study alone(m, design.parameters(), wanted, how);
       std::vector<double> results(2);
       alone.run(row(design, static_cast<std::int64_t>(i)), results);
@@ -173,7 +175,7 @@ TEST(Sweep, WhatHasNotBegunStaysOpen) {
 TEST(Sweep, AChangedPeriodHasNoPeriodicState) {
   const Model m = model(rcr);
   try {
-    Study(m, {{.name = "in.flow.period"}}, {}, periodic);
+    Study(m, {{.name = "in.flow.period", .unit = "s"}}, {}, periodic);
     FAIL();
   } catch (const UserError& e) {
     EXPECT_THAT(e.what(), HasSubstr("in.flow.period is the period of a source"));

@@ -38,7 +38,8 @@ std::optional<std::string> nearest_name(const std::string& word, const std::vect
   std::optional<std::string> nearest;
   int least = 1 + static_cast<int>(word.size() + 2) / 3;
   for (const auto& candidate : candidates) {
-    if (candidate.size() > longest) continue;
+    const auto longer = std::max(candidate.size(), word.size()) - std::min(candidate.size(), word.size());
+    if (candidate.size() > longest || static_cast<int>(longer) >= least) continue;  // at least so many edits
     const int d = edit_distance(lower(word), lower(candidate));
     if (d < least && d < static_cast<int>(std::max(word.size(), candidate.size())))
       least = d, nearest = candidate;

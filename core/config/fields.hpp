@@ -230,7 +230,8 @@ class Fields {
 
   template <class T>
   static Range integer_range() {
-    if constexpr (sizeof(T) >= sizeof(double)) return {.low = -0x1p53, .high = 0x1p53};  // doubles count no farther
+    if constexpr (sizeof(T) >= sizeof(double))
+      return {.low = -0x1p53, .high = 0x1p53};  // doubles count no farther
     return {.low = static_cast<double>(std::numeric_limits<T>::min()),
             .high = static_cast<double>(std::numeric_limits<T>::max())};
   }

@@ -33,7 +33,7 @@ Vessel<D>::Vessel(const Lumen<D>& lumen, const FluidOptions<D>& options, std::ve
   find_zones(*model_, state_.fluid, work_);
   count_ports(*model_, state_, work_);
   for (auto& port : state_.ports) port.counted_at_start = port.counted;
-  state_.content_at_start = content();
+  state_.reference_content = content() * model_->rest_volume;
 }
 
 template <int D>
@@ -87,6 +87,7 @@ StepReport Vessel<D>::advance(double dt_limit, std::span<const Drive> drives, do
   }
   ++state_.steps;
   state_.acoustic_steps += n;
+  state_.travelled += state_.max_speed * dt;
   done.dt = dt;
   done.acoustic_steps = n;
   done.particles = state_.fluid.count();

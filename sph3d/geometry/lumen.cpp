@@ -71,6 +71,9 @@ double length_between_openings(const Lumen<D>& lumen) {
   double length = 0;
   for (const auto& a : lumen.openings)
     for (const auto& b : lumen.openings) length = std::max(length, (a.centre - b.centre).norm());
+  if (lumen.openings.size() == 1)
+    for (const auto& x : lumen.surface.points)
+      length = std::max(length, (x - lumen.openings.front().centre).norm());
   return length;
 }
 

@@ -52,7 +52,7 @@ bool inside_outline(const Opening<D>& opening, const Vec<D>& x);
 template <int D>
 double width(const Opening<D>& opening);
 
-/// The longest straight way between two openings, m: the length of the vessel where one number must do.
+/// The longest straight way between two openings, or from a single one to the wall, m: the length of the vessel where one number must do.
 template <int D>
 double length_between_openings(const Lumen<D>& lumen);
 

@@ -70,7 +70,8 @@ void archive(Archive& a, VesselState<D>& state) {
   a("time", state.time);
   a("max_speed", state.max_speed);
   a("max_acceleration", state.max_acceleration);
-  a("content_at_start", state.content_at_start);
+  a("travelled", state.travelled);
+  a("reference_content", state.reference_content);
   a("steps", state.steps);
   a("acoustic_steps", state.acoustic_steps);
   a("mirrored", state.mirrored);

@@ -6,6 +6,12 @@
 #include "sph3d/step/lane_access.hpp"
 
 namespace ostium::sph3d {
+namespace {
+
+/// In spacings: what particles travel until rows along the walls have found their places.
+constexpr double settling_path = 20;
+
+}  // namespace
 
 template <int D>
 double mean_sum(const Model<D>& model, const FluidState<D>& fluid, const Workspace<D>& work,
@@ -43,11 +49,15 @@ double content(const VesselState<D>& state) {
 
 template <int D>
 void follow_content(const Model<D>& model, VesselState<D>& state, const Workspace<D>& work, double dt) {
-  if (!(state.content_at_start > 0.0)) return;
-  const double counted = content(state) / (state.content_at_start * model.rest_volume);
+  if (!(state.reference_content > 0.0)) return;
+  const double inside = content(state), counted = inside / state.reference_content;
   const double sigma = model.number_density * (1.0 + state.fluid.disorder);
   const double summed = mean_sum(model, state.fluid, work, sigma * counted) / sigma;
-  state.fluid.disorder += -std::expm1(-dt / model.settling_time) * (summed - counted);
+  const double share = -std::expm1(-dt / model.settling_time);
+  if (state.travelled < settling_path * model.options.dp)
+    state.reference_content += share * (inside / summed - state.reference_content);
+  else
+    state.fluid.disorder += share * (summed - counted);
 }
 
 #define OSTIUM_INSTANTIATE(D)                                                                   \

@@ -4,8 +4,8 @@
 ///   undisturbed_sum     the same of fluid of density 1 + psi, over that density                       -
 ///   content             volume of the blood between the caps, at rho0: what came in less what went    m^D
 ///                       out, to round-off
-///   follow_content      d disorder/dt = (<sum>/sigma_0 - N/N_0 (1 + psi_0)) / settling_time, for rigid walls; see
-///                       FluidState::disorder
+///   follow_content      d disorder/dt = (<sum>/sigma_0 - N/N_0) / settling_time, for rigid walls; while particles
+///                       find their places at the start, N_0 follows instead
 ///
 /// Sums are those of the last kernel_sums. Source: docs/theory/fluid.md, "Density from positions".
 #pragma once

@@ -43,7 +43,8 @@ struct VesselState {
   PressureDatum datum;
   double time = 0;                             ///< s
   double max_speed = 0, max_acceleration = 0;  ///< of the last step, outside the ducts; m/s, m/s2
-  double content_at_start = 0;                 ///< see Vessel::content; 0: sums do not follow it; m3
+  double travelled = 0;                        ///< by the fastest particle of every step so far; m
+  double reference_content = 0;                ///< at pressure 0, see follow_content; 0: not followed; m3
   DeformableWallState<D> wall;                 ///< empty where the wall is rigid
   std::int64_t steps = 0, acoustic_steps = 0;
   std::int64_t mirrored = 0, escaped = 0;  ///< particles put back inside the wall; lost through it

@@ -114,7 +114,7 @@ TEST(MovingSolidWalls, HeldWallsAreRigid) {
   ChannelOnCushions held(true);
   Vessel<2> rigid = ChannelOnCushions::empty();
   auto state = rigid.save();
-  state.content_at_start = 0;  // where a wall could move, the content does not scale the kernel sums
+  state.reference_content = 0;  // where a wall could move, the content does not scale the kernel sums
   rigid.load(std::move(state));
   for (int k = 0; k < 10; ++k) held.advance(), ChannelOnCushions::advance(rigid);
   const auto &a = held.vessel.state().fluid, &b = rigid.state().fluid;

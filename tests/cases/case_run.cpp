@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace ostium::test {
 
@@ -86,6 +87,11 @@ std::filesystem::path CaseRun::geometry(const std::string& shape_and_options) co
   const Outcome outcome = ostium("geometry " + shape_and_options + " -o vessel.stl");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   return folder() / "vessel.stl";
+}
+
+double CaseRun::noted(const std::string& what, double value) {
+  std::printf("%s: %.4g\n", what.c_str(), value);
+  return value;
 }
 
 void CaseRun::run(const std::string& name, const std::string& options) {

@@ -53,6 +53,8 @@ class CaseRun : public ProgramTest {
   void run(const std::string& name, const std::string& options);
 
   nlohmann::json summary() const { return nlohmann::json::parse(content("results/summary.json")); }
+  /// The value, printed: what a test has found, beside what it requires.
+  static double noted(const std::string& what, double value);
   std::map<std::string, PortSignals> ports() const { return read_ports(folder() / "results/ports.csv"); }
 
  private:

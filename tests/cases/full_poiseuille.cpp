@@ -50,7 +50,8 @@ class FullPoiseuille : public CaseRun {
     }
     double squares = 0;
     for (const Layer& layer : layers) squares += std::pow(layer.error / std::max(layer.n, 1.0), 2) / 10;
-    return {ue / ee, std::sqrt(squares), force / area, drop()};
+    return {noted("peak, m/s", ue / ee), std::sqrt(squares), noted("wall shear stress, Pa", force / area),
+            noted("pressure drop, Pa", drop())};
   }
 
   double drop() const {
@@ -80,8 +81,8 @@ TEST_F(FullPoiseuille, Channel30Across) {
 TEST_F(FullPoiseuille, ChannelConverges) {
   std::vector<double> error;
   for (const int across : {10, 20, 40}) {
-    error.push_back(channel(across).rms / u_max);
-    RecordProperty("rms_" + std::to_string(across), std::to_string(error.back()));
+    error.push_back(
+        noted("rms of the profile, " + std::to_string(across) + " across", channel(across).rms / u_max));
   }
   EXPECT_GE(std::log2(error[0] / error[2]) / 2, 1.5) << error[0] << " " << error[1] << " " << error[2];
 }

@@ -105,12 +105,14 @@ void close(Soup& soup, const Rim& rim, int cap) {
 }
 
 void check_flat_enough(const Rim& rim) {
-  if (rim.unevenness > 0.25 * rim.diameter())
+  constexpr double most = 0.25;  // of the diameter
+  if (rim.unevenness > most * rim.diameter())
     user_error(
-        "the open end at {} is {} across, but its rim leaves its mean plane by {}: too uneven for a flat "
-        "cap; "
-        "cut the vessel by a plane there",
-        place(rim.centre), size(rim.diameter()), size(rim.unevenness));
+        "the open end at {}, {} across, is not plane: its rim leaves its mean plane by {}, {:.2g} % of its "
+        "width; a flat "
+        "cap allows {}; cut the vessel by a plane there",
+        place(rim.centre), size(rim.diameter()), size(rim.unevenness), 100 * rim.unevenness / rim.diameter(),
+        size(most * rim.diameter()));
 }
 
 }  // namespace

@@ -65,11 +65,26 @@ int chosen(const std::vector<Opening<3>>& openings, const OpeningChoice& choice)
   return choice.label ? by_label(openings, choice) : by_place(openings, *choice.nearest);
 }
 
+/// Whether the choice would fall on this end if it were plane. Ranks cannot tell: they count the openings only.
+bool means(const OpeningChoice& choice, const std::vector<Opening<3>>& openings, const UnevenEnd& end) {
+  if (choice.largest) return *choice.largest == int(openings.size()) + 1;
+  if (choice.label)
+    return !end.label.empty() && (*choice.label == end.label || *choice.label == end.face_name);
+  if (!choice.nearest) return false;
+  const double away = (*choice.nearest - end.centre).norm();
+  return std::all_of(openings.begin(), openings.end(),
+                     [&](const auto& o) { return away < (o.centre - *choice.nearest).norm(); });
+}
+
 }  // namespace
 
-void name_openings(std::vector<Opening<3>>& openings, const std::vector<OpeningChoice>& choices) {
+void name_openings(std::vector<Opening<3>>& openings, const std::vector<OpeningChoice>& choices,
+                   const std::vector<UnevenEnd>& uneven) {
   std::vector<const OpeningChoice*> owner(openings.size(), nullptr);
   for (const auto& choice : choices) {
+    for (const auto& end : uneven)
+      if (means(choice, openings, end))
+        refuse(end, fmt::format("{}opening '{}': ", choice.where, choice.name));
     const int k = chosen(openings, choice);
     if (owner[k])
       user_error("{}the names '{}' and '{}' fall on the same opening, at {}; give each its own\n{}",

@@ -7,19 +7,10 @@
 namespace ostium::sph3d {
 namespace {
 
-/// Labelled faces may have rounded rims; a wall never comes near this.
 bool nearly_plane(const SurfaceTopology& t, const Region& r) {
   double facets = 0;
   for (int f : r.facets) facets += area_vector(t.surface, f).norm();
-  return r.area() > 0.97 * facets && r.unevenness < 0.05 * std::sqrt(r.area());
-}
-
-/// Specks of a coarse or stepped wall pass every local test, but no vessel ends in one so small.
-void drop_specks(std::vector<Region>& regions, const Surface<3>& surface) {
-  double largest = 0, whole = 0;
-  for (const auto& r : regions) largest = std::max(largest, r.area());
-  for (int f = 0; f < int(surface.facets.size()); ++f) whole += area_vector(surface, f).norm();
-  std::erase_if(regions, [&](const Region& r) { return r.area() < std::max(2e-3 * largest, 2e-4 * whole); });
+  return r.area() > 0.97 * facets && r.unevenness < allowed_unevenness(r.area(), true);
 }
 
 std::vector<Region> labelled(const SurfaceTopology& t, const Soup& soup) {
@@ -79,6 +70,15 @@ Opening<3> make_opening(const SurfaceTopology& t, const Region& r, const Soup& s
 }
 
 }  // namespace
+
+double allowed_unevenness(double area, bool labelled) { return (labelled ? 0.05 : 1e-3) * std::sqrt(area); }
+
+void drop_specks(std::vector<Region>& regions, const Surface<3>& surface) {
+  double largest = 0, whole = 0;
+  for (const auto& r : regions) largest = std::max(largest, r.area());
+  for (int f = 0; f < int(surface.facets.size()); ++f) whole += area_vector(surface, f).norm();
+  std::erase_if(regions, [&](const Region& r) { return r.area() < std::max(2e-3 * largest, 2e-4 * whole); });
+}
 
 Region measure(const SurfaceTopology& t, std::vector<int> facets) {
   Region r{.facets = std::move(facets)};

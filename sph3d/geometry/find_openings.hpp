@@ -37,6 +37,13 @@ Region measure(const SurfaceTopology& topology, std::vector<int> facets);
 std::vector<Region> parts(const SurfaceTopology& topology, const std::vector<int>& key);
 /// Plane regions with a sharp, convex rim among the facets that are not `taken`.
 std::vector<Region> flat_regions(const SurfaceTopology& topology, const std::vector<char>& taken);
+/// Share of the rim, by length, along which the surface bends sharply back into the vessel; `number`: per facet the region.
+double sharp_share(const SurfaceTopology& topology, const Region& region, const std::vector<int>& number);
+/// Specks of a coarse or stepped wall pass every local test, but no vessel ends in one so small.
+void drop_specks(std::vector<Region>& regions, const Surface<3>& surface);
+/// By how much an opening of this area may leave its plane, m: labelled faces may have rounded rims, a wall never comes near
+/// that; without labels only what is exactly plane is told from a wall.
+double allowed_unevenness(double area, bool labelled);
 /// Of regions that touch one another, those that are deep for their size; refuses what cannot be told.
 std::vector<Region> without_touching(const SurfaceTopology& topology, std::vector<Region> regions);
 

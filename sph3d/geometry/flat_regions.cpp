@@ -6,7 +6,6 @@
 namespace ostium::sph3d {
 namespace {
 
-constexpr double planarity = 1e-3;        // of the square root of the area
 const double smooth = std::cos(pi / 90);  // 2 degrees: same plane
 const double sharp = std::cos(pi / 6);    // 30 degrees: a rim
 
@@ -19,7 +18,7 @@ std::vector<int> grow(const SurfaceTopology& t, int seed, std::vector<int>& regi
   region[seed] = number;
   double area = area_vector(surface, seed).norm();
   const auto in_plane = [&](int f) {
-    const double tolerance = planarity * std::sqrt(area);
+    const double tolerance = allowed_unevenness(area, false);
     return std::all_of(surface.facets[f].begin(), surface.facets[f].end(),
                        [&](int v) { return std::abs((surface.points[v] - origin).dot(n)) < tolerance; });
   };
@@ -34,24 +33,6 @@ std::vector<int> grow(const SurfaceTopology& t, int seed, std::vector<int>& regi
   return found;
 }
 
-/// Share of the rim, by length, along which the surface bends sharply back into the vessel.
-double sharp_share(const SurfaceTopology& t, const Region& r, const std::vector<int>& region, int number) {
-  const auto& [surface, normal, beyond] = t;
-  const Vec3 n = r.normal();
-  double all = 0, bent = 0;
-  for (int f : r.facets)
-    for (int s = 0; s < 3; ++s) {
-      const int g = beyond[f][s];
-      if (g < 0 || region[g] == number) continue;
-      const auto& corner = surface.facets[f];
-      const double length = (surface.points[corner[(s + 1) % 3]] - surface.points[corner[s]]).norm();
-      all += length;
-      if (normal[g].dot(n) < sharp && (centroid(surface, g) - surface.points[corner[s]]).dot(n) < 0)
-        bent += length;
-    }
-  return all > 0 ? bent / all : 0;
-}
-
 std::vector<int> by_falling_area(const Surface<3>& surface) {
   std::vector<double> area(surface.facets.size());
   for (std::size_t f = 0; f < area.size(); ++f) area[f] = area_vector(surface, int(f)).norm();
@@ -63,6 +44,24 @@ std::vector<int> by_falling_area(const Surface<3>& surface) {
 
 }  // namespace
 
+double sharp_share(const SurfaceTopology& t, const Region& r, const std::vector<int>& region) {
+  const auto& [surface, normal, beyond] = t;
+  const Vec3 n = r.normal();
+  const int number = region[r.facets.front()];
+  double all = 0, bent = 0;
+  for (int f : r.facets)
+    for (int s = 0; s < 3; ++s) {
+      const int g = beyond[f][s];
+      if (g < 0 || region[g] == number) continue;
+      const Vec3 from = surface.points[surface.facets[f][s]],
+                 to = surface.points[surface.facets[f][(s + 1) % 3]];
+      const double length = (to - from).norm();
+      all += length;
+      if (normal[g].dot(n) < sharp && (centroid(surface, g) - 0.5 * (from + to)).dot(n) < 0) bent += length;
+    }
+  return all > 0 ? bent / all : 0;
+}
+
 std::vector<Region> flat_regions(const SurfaceTopology& t, const std::vector<char>& taken) {
   std::vector<int> region(t.surface.facets.size(), -1);
   std::vector<Region> flat;
@@ -71,7 +70,7 @@ std::vector<Region> flat_regions(const SurfaceTopology& t, const std::vector<cha
     if (region[seed] >= 0 || taken[seed]) continue;
     auto r = measure(t, grow(t, seed, region, number));
     const bool speck = r.facets.size() < 2;  // one facet of a coarse wall
-    if (!speck && r.unevenness < planarity * std::sqrt(r.area()) && sharp_share(t, r, region, number) > 0.9)
+    if (!speck && r.unevenness < allowed_unevenness(r.area(), false) && sharp_share(t, r, region) > 0.9)
       flat.push_back(std::move(r));
     ++number;
   }

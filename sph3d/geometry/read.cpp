@@ -65,15 +65,18 @@ Lumen<3> make_lumen(const SurfaceOptions& options) {
   lumen.surface.points = soup.points;
   lumen.surface.facets = soup.facets;
   lumen.openings = find_openings(lumen.surface, soup);
+  const auto uneven = uneven_ends(lumen.surface, soup, options.file.filename().string());
+  if (lumen.openings.empty() && !uneven.empty()) refuse(uneven.front());
   if (lumen.openings.empty())
     user_error(
         "the surface is closed and has no opening: no face is labelled and flat, and no flat region has a "
         "sharp "
         "rim; cut the vessel's ends by planes, or label its faces (ModelFaceID)");
-  name_openings(lumen.openings, options.openings);
+  name_openings(lumen.openings, options.openings, uneven);
   lumen.volume = volume(lumen.surface);
   lumen.wall_area = area(lumen.surface, -1);
   lumen.repairs = std::move(soup.notes);
+  for (const auto& end : uneven) lumen.repairs.push_back(end.text + "; it counts as wall");
   note_self_intersections(lumen.surface, lumen.repairs);
   return lumen;
 }

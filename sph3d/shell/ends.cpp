@@ -73,10 +73,11 @@ void check_plane_ends(const Lumen<D>& lumen, double spacing) {
         deviation = off, where = x;
     if (deviation > tolerance)
       user_error(
-          "the end of the wall at the opening '{}' is not plane: {} its rim lies {:.3g} m beside the plane; "
-          "a "
-          "quarter of the shell spacing, {:.3g} m, is allowed. Cut the vessel there with a plane",
-          o.name, place<D>(where), deviation, tolerance);
+          "the end of the wall at the opening '{}' is not plane: {} its rim lies {:.3g} mm beside the plane, "
+          "{:.2g} % of the "
+          "opening's width; a quarter of the wall's spacing, {:.3g} mm, is allowed. Cut the vessel there by "
+          "a plane",
+          o.name, place<D>(where), 1e3 * deviation, 100 * deviation / width(o), 1e3 * tolerance);
   }
 }
 

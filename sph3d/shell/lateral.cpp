@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace ostium::sph3d {
 
 template <int D>
@@ -12,16 +14,17 @@ Surface<D> lateral(const Surface<D>& surface) {
   return wall;
 }
 
-template <>
-std::string place<2>(const Vec2& x) {
-  return fmt::format("at ({:.4g}, {:.4g}) m", x[0], x[1]);
+template <int D>
+std::string place(const Vec<D>& x) {
+  const auto mm = [](double metres) { return std::abs(metres) < 1e-9 ? 0.0 : 1e3 * metres; };
+  if constexpr (D == 2)
+    return fmt::format("at ({:.4g}, {:.4g}) mm", mm(x[0]), mm(x[1]));
+  else
+    return fmt::format("at ({:.4g}, {:.4g}, {:.4g}) mm", mm(x[0]), mm(x[1]), mm(x[2]));
 }
 
-template <>
-std::string place<3>(const Vec3& x) {
-  return fmt::format("at ({:.4g}, {:.4g}, {:.4g}) m", x[0], x[1], x[2]);
-}
-
+template std::string place<2>(const Vec2&);
+template std::string place<3>(const Vec3&);
 template Surface<2> lateral(const Surface<2>&);
 template Surface<3> lateral(const Surface<3>&);
 

@@ -10,7 +10,7 @@ namespace ostium::sph3d {
 template <int D>
 Surface<D> lateral(const Surface<D>& surface);
 
-/// "at (x, y, z) m" for a sentence.
+/// "at (x, y, z) mm" for a sentence.
 template <int D>
 std::string place(const Vec<D>& x);
 

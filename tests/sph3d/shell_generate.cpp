@@ -208,9 +208,11 @@ TEST(ShellGenerate, RefusesEndsThatAreNotPlane) {
   lumen.openings[1].outline[3] += 0.2e-3 * lumen.openings[1].normal;
   EXPECT_THAT(
       refusal(lumen, carotid.options(WallEnds::clamped)),
-      AllOf(HasSubstr("the end of the wall at the opening 'opening2' is not plane: at ("),
-            HasSubstr(
-                "lies 0.0002 m beside the plane; a quarter of the shell spacing, 0.000112 m, is allowed")));
+      AllOf(
+          HasSubstr("the end of the wall at the opening 'opening2' is not plane: at ("),
+          HasSubstr(
+              "lies 0.2 mm beside the plane, 3.3 % of the opening's width; a quarter of the wall's spacing, "
+              "0.113 mm, is allowed")));
 }
 
 TEST(ShellGenerate, RefusesClampsWithNothingBetween) {

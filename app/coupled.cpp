@@ -161,6 +161,7 @@ class Session {
 
   int finish() {
     output_.finish();
+    output_.judge(study_.vessel->spacing);
     recorder_.finish(Status::finished, facts());
     std::error_code ignored;
     std::filesystem::remove(options_.folder.checkpoint(), ignored);  // nothing to go on with

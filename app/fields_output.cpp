@@ -9,7 +9,8 @@ namespace ostium::app {
 template <int D>
 void archive(Archive& a, SavedFields<D>& saved) {
   a.part("thinning", [&] { saved.thinning.archive(a); });
-  a.part("cycle", [&] { archive(a, saved.cycle); });
+  a.part("cycle", [&] { archive(a, saved.wall.cycle); });
+  a.part("agreement", [&] { archive(a, saved.wall.agreement); });
 }
 
 template <int D>
@@ -23,7 +24,7 @@ FieldsOutput<D>::FieldsOutput(const std::filesystem::path& results, const sph3d:
 
 template <int D>
 SavedFields<D> FieldsOutput<D>::save() const {
-  return {thinning_, wall_ ? wall_->save() : sph3d::WallCycle<D>()};
+  return {thinning_, wall_ ? wall_->save() : SavedWall<D>()};
 }
 
 template <int D>
@@ -31,7 +32,7 @@ void FieldsOutput<D>::resume(const SavedFields<D>& saved, double time) {
   const double until = time * (1.0 + 1e-9);  // the series has its times in twelve digits
   thinning_.go_on(saved.thinning);
   fluid_.resume(until);
-  if (wall_) wall_->resume(saved.cycle, until);
+  if (wall_) wall_->resume(saved.wall, until);
 }
 
 template <int D>
@@ -49,6 +50,11 @@ void FieldsOutput<D>::follow(const sph3d::Vessel<D>& vessel) {
 template <int D>
 void FieldsOutput<D>::finish() {
   if (wall_) wall_->finish();
+}
+
+template <int D>
+void FieldsOutput<D>::judge(double spacing) const {
+  if (wall_) wall_->judge(spacing);
 }
 
 template <int D>

@@ -16,7 +16,7 @@ namespace ostium::app {
 template <int D>
 struct SavedFields {
   Thinning thinning;
-  sph3d::WallCycle<D> cycle;
+  SavedWall<D> wall;
 };
 
 template <int D>
@@ -37,6 +37,8 @@ class FieldsOutput {
   void follow(const sph3d::Vessel<D>& vessel);
   /// The run has come to its end.
   void finish();
+  /// Tells the user what the fields are not good for.
+  void judge(double spacing) const;
 
   SavedFields<D> save() const;
   /// Goes on with the series of an earlier sitting that reached `time`, s.

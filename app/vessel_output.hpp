@@ -26,6 +26,8 @@ class VesselOutput {
   void flush() { series_.flush(); }
   /// The run has come to its end.
   void finish();
+  /// Tells the user where the flow beside the wall is not resolved.
+  void judge(double spacing) const { fields_.judge(spacing); }
   SavedVesselOutput<D> save() { return {fields_.save(), series_.save()}; }
 
  private:

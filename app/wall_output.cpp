@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "core/log.hpp"
 #include "sph3d/fields/structure_fields.hpp"
 #include "sph3d/fields/wall_gradient.hpp"
 #include "sph3d/io/fields.hpp"
+#include "sph3d/shell/lateral.hpp"
 #include "sph3d/walls/smallest_rotation.hpp"
 
 namespace ostium::app {
@@ -54,6 +58,7 @@ WallOutput<D>::WallOutput(const std::filesystem::path& folder, const sph3d::Vess
                           sph3d::WallSampler<D>& sampler, double period, double end)
     : folder_(folder),
       period_(period),
+      end_(end),
       filter_((period > 0.0 ? period : end) / (2.0 * pi * 20.0)),
       interval_(filter_ / 4.0),
       sampler_(sampler),
@@ -64,8 +69,8 @@ WallOutput<D>::WallOutput(const std::filesystem::path& folder, const sph3d::Vess
       cycles_surface_(folder / "cycles_surface.pvd") {}
 
 template <int D>
-void WallOutput<D>::resume(const sph3d::WallCycle<D>& saved, double time) {
-  cycle_ = saved;
+void WallOutput<D>::resume(const SavedWall<D>& saved, double time) {
+  cycle_ = saved.cycle, agreement_ = saved.agreement;
   for (auto* series : {&wall_, &surface_, &cycles_wall_, &cycles_surface_}) series->resume(time);
 }
 
@@ -74,17 +79,32 @@ void WallOutput<D>::follow(const sph3d::Vessel<D>& vessel) {
   const double t = vessel.time();
   if (!cycle_.stress.empty() && t < cycle_.time + interval_ && !sph3d::ends(cycle_, t, period_)) return;
   sampler_.sample(vessel);
+  write_cycle(take_sample(vessel));
+  compare(vessel);
+}
+
+/// The stress in the frame of the material.
+template <int D>
+sph3d::CycleFields<D> WallOutput<D>::take_sample(const sph3d::Vessel<D>& vessel) {
   const auto& loads = sampler_.loads();
   const auto& rest = sampler_.at_rest();
   const auto& now = sampler_.points();
   if (!vessel.wall())
-    return write_cycle(
-        sph3d::take(cycle_, vessel.time(), loads.shear_stress, loads.pressure, period_, filter_));
+    return sph3d::take(cycle_, vessel.time(), loads.shear_stress, loads.pressure, period_, filter_);
   std::vector<Vec<D>> at_rest(rest.size());
 #pragma omp parallel for schedule(static)
   for (std::size_t a = 0; a < rest.size(); ++a)
     at_rest[a] = sph3d::smallest_rotation<D>(now[a].normal, rest[a].normal) * loads.shear_stress[a];
-  write_cycle(sph3d::take(cycle_, vessel.time(), at_rest, loads.pressure, period_, filter_));
+  return sph3d::take(cycle_, vessel.time(), at_rest, loads.pressure, period_, filter_);
+}
+
+/// Thirty-two times in a cycle; where the run is one cycle, in its second half, when the start is over.
+template <int D>
+void WallOutput<D>::compare(const sph3d::Vessel<D>& vessel) {
+  const double t = vessel.time(), gap = (period_ > 0.0 ? period_ : 0.5 * end_) / 32.0;
+  if (t < agreement_.time + gap || (period_ <= 0.0 && t < 0.5 * end_)) return;
+  sph3d::take<D>(agreement_, cycle_.number, t, cycle_.stress,
+                 sph3d::shear_stress_from_gradient(vessel, sampler_.points()));
 }
 
 template <int D>
@@ -143,6 +163,24 @@ void WallOutput<D>::write_cycle(const sph3d::CycleFields<D>& cycle) {
 template <int D>
 void WallOutput<D>::finish() {
   if (period_ <= 0.0 && cycle_.duration > 0.0) write_cycle(sph3d::fields_of(cycle_));
+}
+
+template <int D>
+void WallOutput<D>::judge(double spacing) const {
+  constexpr double large_part = 1.0 / 3.0, least = 0.5, most = 0.8;  // of the wall; of the spacing
+  const auto& rest = sampler_.at_rest();
+  const bool whole = agreement_.whole.count > 0;
+  if (!whole && period_ > 0.0) return;  // no cycle from beginning to end
+  const auto d = sph3d::disagreement<D>(whole ? agreement_.whole : agreement_.running, rest);
+  if (d.share < large_part) return;
+  log::warn(
+      "the flow beside the wall is not resolved: on {:.0f} % of the wall its shear stress by the forces "
+      "differs by more than "
+      "a tenth from that by the velocity gradient, most {}, {:.3g} and {:.3g} Pa; for wall shear stress set "
+      "vessel.spacing "
+      "to {:.2g} mm or less",
+      100 * d.share, sph3d::place<D>(rest[d.worst].position), d.forces, d.gradient,
+      1e3 * spacing * std::clamp(0.1 / d.median, least, most));
 }
 
 template class WallOutput<2>;

@@ -10,12 +10,20 @@
 #pragma once
 #include <filesystem>
 
+#include "sph3d/fields/stress_agreement.hpp"
 #include "sph3d/fields/surface_map.hpp"
 #include "sph3d/fields/wall_cycle.hpp"
 #include "sph3d/fields/wall_loads.hpp"
 #include "sph3d/io/pvd_series.hpp"
 
 namespace ostium::app {
+
+/// What the wall has felt in this cycle, and how far two measures of that agree.
+template <int D>
+struct SavedWall {
+  sph3d::WallCycle<D> cycle;
+  sph3d::StressAgreement agreement;
+};
 
 template <int D>
 class WallOutput {
@@ -32,18 +40,23 @@ class WallOutput {
   void write(const sph3d::Vessel<D>& vessel, const std::string& number);
   /// The run has come to its end: where it is one cycle, that is written.
   void finish();
+  /// Tells the user where both measures of the wall shear stress differ over a large part of the wall.
+  void judge(double spacing) const;
 
-  const sph3d::WallCycle<D>& save() const { return cycle_; }
-  void resume(const sph3d::WallCycle<D>& saved, double time);
+  SavedWall<D> save() const { return {cycle_, agreement_}; }
+  void resume(const SavedWall<D>& saved, double time);
 
  private:
   void write_cycle(const sph3d::CycleFields<D>& fields);
+  sph3d::CycleFields<D> take_sample(const sph3d::Vessel<D>& vessel);
+  void compare(const sph3d::Vessel<D>& vessel);
 
   std::filesystem::path folder_;
-  double period_, filter_, interval_;
+  double period_, end_, filter_, interval_;
   sph3d::WallSampler<D>& sampler_;
   sph3d::SurfaceMap<D> map_;
   sph3d::WallCycle<D> cycle_;
+  sph3d::StressAgreement agreement_;
   sph3d::PvdSeries wall_, surface_, cycles_wall_, cycles_surface_;
 };
 

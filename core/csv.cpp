@@ -1,5 +1,8 @@
 #include "core/csv.hpp"
 
+#include <fmt/compile.h>
+
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -67,6 +70,12 @@ void add_row(Table& table, const std::vector<std::string>& cells, const std::str
 
 }  // namespace
 
+void append_number(std::string& text, double value) {
+  std::array<char, 40> digits;
+  const auto* const end = fmt::format_to(digits.data(), FMT_COMPILE("{}"), value);
+  text.append(digits.data(), static_cast<std::size_t>(end - digits.data()));
+}
+
 CsvWriter::CsvWriter(const std::filesystem::path& file, const std::vector<std::string>& header)
     : file_(file), stream_(file, std::ios::binary | std::ios::trunc), columns_(header.size()) {
   if (!stream_) user_error("{}: this file cannot be written", file.string());
@@ -97,7 +106,7 @@ void CsvWriter::separate() {
 
 CsvWriter& CsvWriter::operator<<(double value) {
   separate();
-  fmt::format_to(std::back_inserter(buffer_), "{}", value);
+  append_number(buffer_, value);
   return *this;
 }
 

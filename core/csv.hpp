@@ -9,7 +9,10 @@
 
 namespace ostium {
 
-/// Rows of numbers and names behind a header line; numbers in the shortest form that reads back exactly.
+/// Puts a number behind a text, in the shortest form that reads back exactly.
+void append_number(std::string& text, double value);
+
+/// Rows of numbers and names behind a header line; numbers in that form.
 class CsvWriter {
  public:
   CsvWriter(const std::filesystem::path& file, const std::vector<std::string>& header);

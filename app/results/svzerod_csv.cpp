@@ -1,11 +1,12 @@
 #include "app/results/svzerod_csv.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
-#include <iterator>
-#include <limits>
 
+#include "app/import/expression.hpp"
 #include "app/import/unit_system.hpp"
+#include "core/csv.hpp"
 #include "core/did_you_mean.hpp"
 #include "core/units.hpp"
 
@@ -13,8 +14,7 @@ namespace ostium::app {
 namespace {
 
 struct Rows {
-  std::vector<double> time;
-  std::vector<std::vector<double>> values;
+  std::vector<double> time, values;  // values: all series of the first time, of the next one, ..
 };
 
 double start_of(const std::string& name, const config::Node& start) {
@@ -34,13 +34,15 @@ Rows read_rows(const std::filesystem::path& file, double begin) {
   std::string line;
   std::getline(stream, line);
   while (std::getline(stream, line)) {
-    const char* at = line.c_str();
-    char* next = nullptr;
-    const double time = std::strtod(at, &next);
-    if (time < begin) continue;
-    rows.time.push_back(time);
-    auto& values = rows.values.emplace_back();
-    while (*next == ',') values.push_back(std::strtod(next + 1, &next));
+    const char* const end = line.data() + line.size();
+    double number = 0;
+    const char* next = std::from_chars(line.data(), end, number).ptr;
+    if (number < begin) continue;
+    rows.time.push_back(number);
+    while (next < end && *next == ',') {
+      next = std::from_chars(next + 1, end, number).ptr;
+      rows.values.push_back(number);
+    }
   }
   return rows;
 }
@@ -49,11 +51,12 @@ Rows read_rows(const std::filesystem::path& file, double begin) {
 
 SvzerodCsv::SvzerodCsv(const Case& study, const std::vector<std::string>& series)
     : series_(series), mean_only_(study.output.svzerod.mean_only) {
+  for (std::size_t i = 0; i < series.size(); ++i) place_[series[i]] = i;
   const auto& wanted = study.output.svzerod;
   if (wanted.variables)
     for (const auto& [name, node] : wanted.variables->entries()) variables_.push_back(read(name, node));
   else
-    for (const auto& name : series) variables_.push_back({name, 1, Expression::of(name), {}});
+    for (std::size_t i = 0; i < series.size(); ++i) variables_.push_back({series[i], 1, {{1, i}}});
   if (wanted.start)
     for (auto& v : variables_) v.start = start_of(v.name, *wanted.start);
   if (wanted.all_cycles || !study.time.period) return;
@@ -66,38 +69,47 @@ SvzerodCsv::Variable SvzerodCsv::read(const std::string& name, const config::Nod
   std::vector<std::string> texts;
   for (const auto& item : node.items()) texts.push_back(item.text());
   if (texts.size() < 2) node.error("expected [unit, series, ..], for example [mL/s, q:heart_m3_s]");
-  Variable v{name, 1, {}, {}};
+  Variable v{name, 1, {}};
+  Expression value;
   try {
     v.unit = UnitSystem::si(texts[0]);
-    v.value = Expression::parse({texts.begin() + 1, texts.end()});
+    value = Expression::parse({texts.begin() + 1, texts.end()});
   } catch (const UserError& e) {
     node.error("{}", e.what());
   }
-  for (const auto& [wanted, factor] : v.value.terms)
-    if (std::find(series_.begin(), series_.end(), wanted) == series_.end())
+  v.constant = value.constant;
+  for (const auto& [wanted, factor] : value.terms) {
+    const auto found = place_.find(wanted);
+    if (found == place_.end())
       node.error("the network has no series \"{}\"{}", wanted, did_you_mean(wanted, series_));
+    v.terms.push_back({factor, found->second});
+  }
   return v;
+}
+
+double SvzerodCsv::Variable::value(const double* series) const {
+  double sum = constant;
+  for (const auto& term : terms) sum += term.factor * series[term.series];
+  return sum / unit;
 }
 
 void SvzerodCsv::write(const ResultsFolder& folder) const {
   const Rows rows = read_rows(folder.file("network.csv"), begin_);
-  std::map<std::string, std::size_t> column;
-  for (std::size_t i = 0; i < series_.size(); ++i) column[series_[i]] = i;
+  std::vector<std::string> times;  // as they stand in every line
+  for (double time : rows.time) append_number(times.emplace_back(","), time - shift_), times.back() += ',';
   std::string text = "name,time,y\n";
   for (const auto& v : variables_) {
     double sum = 0;
-    for (std::size_t k = 0; k < rows.time.size(); ++k) {
+    for (std::size_t k = 0; k < times.size(); ++k) {
       const bool first = v.start && rows.time[k] == 0;
-      const double y =
-          first ? *v.start
-                : v.value.value([&](const std::string& s) { return rows.values[k][column[s]]; }) / v.unit;
+      const double y = first ? *v.start : v.value(&rows.values[k * series_.size()]);
       sum += y;
-      if (!mean_only_)
-        fmt::format_to(std::back_inserter(text), "{},{:.16e},{:.16e}\n", v.name, rows.time[k] - shift_, y);
+      if (!mean_only_) text += v.name, text += times[k], append_number(text, y), text += '\n';
     }
-    if (mean_only_)
-      fmt::format_to(std::back_inserter(text), "{},,{:.16e}\n", v.name,
-                     sum / static_cast<double>(rows.time.size()));
+    if (!mean_only_) continue;
+    text += v.name + ",,";
+    append_number(text, sum / static_cast<double>(times.size()));
+    text += '\n';
   }
   write_text(folder.file("svzerod.csv"), text);
 }

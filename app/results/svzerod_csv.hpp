@@ -6,8 +6,9 @@
 ///
 /// Made from network.csv when the run is over, so that resumed runs are whole.
 #pragma once
+#include <unordered_map>
+
 #include "app/case.hpp"
-#include "app/import/expression.hpp"
 #include "app/results/folder.hpp"
 
 namespace ostium::app {
@@ -19,15 +20,22 @@ class SvzerodCsv {
   void write(const ResultsFolder& folder) const;
 
  private:
+  struct Term {
+    double factor;
+    std::size_t series;  // its place in a row
+  };
   struct Variable {
     std::string name;
     double unit = 1;  // SI
-    Expression value;
-    std::optional<double> start;  // in the unit
+    std::vector<Term> terms;
+    double constant = 0;
+    std::optional<double> start = {};  // in the unit
+    double value(const double* series) const;
   };
   Variable read(const std::string& name, const config::Node& node) const;
 
   std::vector<std::string> series_;
+  std::unordered_map<std::string, std::size_t> place_;  // of a series in a row
   std::vector<Variable> variables_;
   double begin_ = 0, shift_ = 0;  // s: first row, time written as 0
   bool mean_only_;

@@ -15,21 +15,32 @@ void CycleStatistics::piece(long cycle, double t0, double x0, double t1, double 
   c.min = std::min({c.min, x0, x1}), c.max = std::max({c.max, x0, x1});
 }
 
+long CycleStatistics::cycle_at(double time) const {
+  return period_ > 0 ? static_cast<long>(std::floor((time + 1e-9 * period_) / period_)) : 0;
+}
+
 void CycleStatistics::add(double time, double value) {
   if (!started_) {
     started_ = true;
     time_ = time, value_ = value;
     return;
   }
+  if (time <= turn_) {
+    piece(cycle_, time_, value_, time, value);
+    time_ = time, value_ = value;
+    return;
+  }
   const double slope = (value - value_) / (time - time_), tiny = 1e-9 * period_;
   while (time_ < time) {
-    const long cycle = period_ > 0 ? static_cast<long>(std::floor((time_ + tiny) / period_)) : 0;
+    const long cycle = cycle_at(time_);
     double end = period_ > 0 ? std::min(time, (cycle + 1) * period_) : time;
     if (time - end < tiny) end = time;  // a rounding error is no new cycle
     const double x = end == time ? value : value_ + slope * (end - time_);
     piece(cycle, time_, value_, end, x);
     time_ = end, value_ = x;
   }
+  cycle_ = cycle_at(time_);
+  turn_ = period_ > 0 ? static_cast<double>(cycle_ + 1) * period_ : std::numeric_limits<double>::infinity();
 }
 
 std::vector<CycleValues> CycleStatistics::cycles() const {

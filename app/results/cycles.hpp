@@ -31,9 +31,13 @@ class CycleStatistics {
   };
   void piece(long cycle, double t0, double x0, double t1, double x1);
 
+  long cycle_at(double time) const;
+
   double period_, time_ = 0, value_ = 0;
   bool started_ = false;
   std::vector<Cycle> cycles_;
+  long cycle_ = 0;    // that of the last time, once there were two of them ..
+  double turn_ = -1;  // .. and its end: a row before needs no second look
 };
 
 }  // namespace ostium::app

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -74,15 +76,17 @@ void CycleSums::archive(Archive& a) {
 Derived::Derived(std::vector<Element> elements, std::vector<std::string> ports,
                  const std::vector<std::string>& series, double period)
     : elements_(std::move(elements)), ports_(std::move(ports)), period_(period) {
+  std::unordered_map<std::string, std::size_t> place;
+  for (std::size_t i = 0; i < series.size(); ++i) place.emplace(series[i], i);
   const auto index = [&](const std::string& name) {
-    return static_cast<std::size_t>(std::find(series.begin(), series.end(), name) - series.begin());
+    const auto found = place.find(name);
+    return found == place.end() ? series.size() : found->second;
   };
+  std::unordered_set<std::string> ends;
+  for (const auto& e : elements_) ends.insert({e.from, e.to});
   for (const auto& name : series)
-    if (const std::string node = name.substr(2, name.size() - 5);
-        name.starts_with("p:") && index("p:" + node + "_Pa") < series.size() &&
-        std::any_of(elements_.begin(), elements_.end(),
-                    [&](const auto& e) { return e.from == node || e.to == node; }))
-      nodes_.push_back(node);
+    if (name.starts_with("p:") && name.ends_with("_Pa") && ends.contains(name.substr(2, name.size() - 5)))
+      nodes_.push_back(name.substr(2, name.size() - 5));
   for (int i = 0; i < static_cast<int>(elements_.size()); ++i) {
     const auto& e = elements_[i];
     const std::size_t p = index("p:" + e.from + "_Pa"), V = index("v:" + e.name + ".V_m3");
@@ -127,6 +131,7 @@ json Derived::pressures(const Lookup& cycle) const {
 /// Mean flow that leaves a node into an element, m3/s.
 double Derived::leaving(const std::string& node, int element, const Lookup& cycle) const {
   const auto& e = elements_[element];
+  if (e.from != node && e.to != node) return 0;
   const auto in = cycle(flow_in(e)), out = cycle(flow_out(e));
   double q = 0;
   if (e.from == node && in) q += in->mean;

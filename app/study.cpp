@@ -35,10 +35,9 @@ class StudySession {
       : study_(study),
         options_(options),
         model_(network::read_model(study.network.blocks)),
-        key_(checkpoint_key(study, model_)),
         end_(study.time.final()) {
     if (options.folder.resumes())
-      read_checkpoint(options.folder.checkpoint(), key_, [&](Archive& a) { archive(a, saved_.emplace()); });
+      read_checkpoint(options.folder.checkpoint(), key(), [&](Archive& a) { archive(a, saved_.emplace()); });
     rows_ = saved_ ? saved_->rows : 0;
   }
 
@@ -59,6 +58,8 @@ class StudySession {
   }
 
  private:
+  CheckpointKey key() const { return checkpoint_key(study_, model_); }
+
   double start_time() const { return saved_ ? saved_->recorded.time : 0.0; }
 
   network::SimulateOptions simulation() const {
@@ -98,7 +99,7 @@ class StudySession {
 
   void keep(const network::State& state) {
     SavedStudy saved{state, recorder_->save(), rows_};
-    write_checkpoint(options_.folder.checkpoint(), key_, [&](Archive& a) { archive(a, saved); });
+    write_checkpoint(options_.folder.checkpoint(), key(), [&](Archive& a) { archive(a, saved); });
   }
 
   int finish() {
@@ -132,7 +133,6 @@ class StudySession {
   const Case& study_;
   const RunOptions& options_;
   network::Model model_;
-  CheckpointKey key_;
   double end_;
   std::optional<SavedStudy> saved_;
   std::optional<Recorder> recorder_;

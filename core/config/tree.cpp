@@ -3,6 +3,7 @@
 #include <yaml-cpp/emitter.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace ostium::config {
 namespace {
@@ -10,6 +11,33 @@ namespace {
 bool is_flat(const Tree& list) {
   return std::none_of(list.items.begin(), list.items.end(),
                       [](const auto& i) { return i->kind == Tree::Kind::map; });
+}
+
+bool is_word(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// Words and numbers with units, that nothing in YAML can take for something else. What is not sure is not among them.
+bool is_plain(const std::string& text) {
+  constexpr std::size_t longest = 200;
+  const std::size_t begin = text.starts_with('-');
+  if (text.size() <= begin || text.size() > longest || !is_word(text[begin])) return false;
+  if (begin && !(text[1] >= '0' && text[1] <= '9')) return false;
+  for (std::size_t i = begin; i < text.size(); ++i) {
+    const char c = text[i];
+    const bool joins = c == ' ' || c == ':';  // a word must follow
+    if (joins && (i + 1 == text.size() || !is_word(text[i + 1]))) return false;
+    if (!joins && !is_word(c) && c != '.' && c != '/' && c != '+' && c != '-') return false;
+  }
+  return text != "null" && text != "Null" && text != "NULL";
+}
+
+/// The emitter matches every text against the grammar, at more cost than all else: it is spared what is plain.
+void write_scalar(YAML::Emitter& out, const std::string& text) {
+  if (is_plain(text))
+    out.WriteIntegralType(std::string_view(text));  // writes what a stream would, as it is
+  else
+    out << text;
 }
 
 void write(YAML::Emitter& out, const Tree& tree);
@@ -25,7 +53,9 @@ void write_map(YAML::Emitter& out, const Tree& map) {
   if (map.entries.empty()) out << YAML::Flow;
   out << YAML::BeginMap;
   for (const auto& entry : map.entries) {
-    out << YAML::Key << entry.key << YAML::Value;
+    out << YAML::Key;
+    write_scalar(out, entry.key);
+    out << YAML::Value;
     write(out, *entry.value);
   }
   out << YAML::EndMap;
@@ -37,8 +67,10 @@ void write(YAML::Emitter& out, const Tree& tree) {
       out << YAML::Null;
       break;
     case Tree::Kind::scalar:
-      if (tree.quoted) out << YAML::DoubleQuoted;
-      out << tree.text;
+      if (tree.quoted)
+        out << YAML::DoubleQuoted << tree.text;
+      else
+        write_scalar(out, tree.text);
       break;
     case Tree::Kind::list:
       write_list(out, tree);

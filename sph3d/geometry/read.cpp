@@ -66,12 +66,13 @@ Lumen<3> make_lumen(const SurfaceOptions& options) {
   lumen.surface.facets = soup.facets;
   lumen.openings = find_openings(lumen.surface, soup);
   const auto uneven = uneven_ends(lumen.surface, soup, options.file.filename().string());
-  if (lumen.openings.empty() && !uneven.empty()) refuse(uneven.front());
+  if (lumen.openings.empty() && !uneven.empty() && !uneven.front().label.empty()) refuse(uneven.front());
   if (lumen.openings.empty())
     user_error(
         "the surface is closed and has no opening: no face is labelled and flat, and no flat region has a "
-        "sharp "
-        "rim; cut the vessel's ends by planes, or label its faces (ModelFaceID)");
+        "sharp rim{}; "
+        "cut the vessel's ends by planes, or label its faces (ModelFaceID)",
+        uneven.empty() ? "" : " (" + uneven.front().text + ")");
   name_openings(lumen.openings, options.openings, uneven);
   lumen.volume = volume(lumen.surface);
   lumen.wall_area = area(lumen.surface, -1);

@@ -43,10 +43,10 @@ bool touches_an_opening(const SurfaceTopology& t, const Region& r) {
   });
 }
 
-bool looks_like_an_end(const SurfaceTopology& t, const Region& r, const std::vector<int>& key) {
+bool looks_like_an_end(const SurfaceTopology& t, const Region& r, const std::vector<int>& key, double most) {
   double facets = 0;
   for (int f : r.facets) facets += area_vector(t.surface, f).norm();
-  return r.facets.size() > 2 && r.area() > 0.5 * facets && r.unevenness < std::sqrt(r.area()) &&
+  return r.facets.size() > 2 && r.area() > 0.5 * facets && r.unevenness < most * std::sqrt(r.area()) &&
          sharp_share(t, r, key) > 0.9 && !touches_an_opening(t, r);
 }
 
@@ -65,9 +65,10 @@ void drop_touching(const SurfaceTopology& t, std::vector<Region>& regions) {
   regions = std::move(kept);
 }
 
-std::vector<Region> candidates(const SurfaceTopology& t, const std::vector<int>& key) {
+/// `most`: unevenness over size.
+std::vector<Region> candidates(const SurfaceTopology& t, const std::vector<int>& key, double most) {
   auto regions = parts(t, key);
-  std::erase_if(regions, [&](const Region& r) { return !looks_like_an_end(t, r, key); });
+  std::erase_if(regions, [&](const Region& r) { return !looks_like_an_end(t, r, key, most); });
   drop_touching(t, regions);
   drop_specks(regions, t.surface);
   return regions;
@@ -97,9 +98,9 @@ UnevenEnd described(const Region& r, const Soup& soup, const std::string& file, 
 std::vector<UnevenEnd> uneven_ends(const Surface<3>& surface, const Soup& soup, const std::string& file) {
   const SurfaceTopology topology{surface, facet_normals(surface), neighbours(surface.facets)};
   std::vector<Region> regions;
-  if (!soup.face_id.empty()) regions = candidates(topology, other_labels(surface, soup));
+  if (!soup.face_id.empty()) regions = candidates(topology, other_labels(surface, soup), 1.0);
   const bool labelled = !regions.empty();
-  if (!labelled) regions = candidates(topology, between_sharp_edges(topology));
+  if (!labelled) regions = candidates(topology, between_sharp_edges(topology), 0.25);
   std::stable_sort(regions.begin(), regions.end(),
                    [](const Region& a, const Region& b) { return a.area() > b.area(); });
   std::vector<UnevenEnd> ends;

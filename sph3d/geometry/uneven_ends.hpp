@@ -2,7 +2,8 @@
 /// geometry/.
 ///
 ///   rim     sharp all around, bent back into the vessel, and no opening beyond it
-///   shape   seen along its normal it covers half of its own area or more, and leaves its plane by less than its size
+///   shape   seen along its normal it covers half of its own area or more, and leaves its plane by less than its size, where
+///           it has no label by less than a quarter of it
 ///
 /// Labelled faces are looked at first, without any the parts that lie between sharp edges. A surface that names
 /// such a part as an opening is refused; where nobody does, it is wall, and said to be.

@@ -14,6 +14,7 @@
 #include "sph3d/step/disorder.hpp"
 #include "sph3d/step/lane_access.hpp"
 #include "sph3d/step/prepare.hpp"
+#include "sph3d/step/shared_loops.hpp"
 
 namespace ostium::sph3d {
 

@@ -87,13 +87,14 @@ void drive_by_flow(const Model<D>& model, VesselState<D>& state, Workspace<D>& w
 template <int D>
 void drive_ports(const Model<D>& model, VesselState<D>& state, Workspace<D>& work,
                  std::span<const Drive> drives, double dt, double filter_time) {
-  std::vector<double> pressures;
+  std::vector<double> pressures(drives.size());
+#pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t k = 0; k < drives.size(); ++k) {
     if (model.roles[k].flow_driven)
       drive_by_flow(model, state, work, static_cast<int>(k), drives[k], dt);
     else
       drive_by_pressure(model, state, work, static_cast<int>(k), drives[k], dt, filter_time);
-    pressures.push_back(state.ports[k].pressure);
+    pressures[k] = state.ports[k].pressure;
   }
   state.datum.step(dt, pressures);
 }

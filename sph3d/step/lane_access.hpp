@@ -26,18 +26,4 @@ Mat<D> lane_matrix(const float (&field)[symmetric_size<D>][8], std::size_t lane)
   return m;
 }
 
-/// f(cluster) for every cluster, in parallel, each by one thread.
-template <class F>
-void for_clusters(std::size_t n, F&& f) {
-#pragma omp parallel for schedule(static)
-  for (std::size_t c = 0; c < n; ++c) f(c);
-}
-
-/// f(begin, end) over batches of clusters, for the kernels.
-template <class F>
-void for_batches(std::size_t n, F&& f) {
-#pragma omp parallel for schedule(static)
-  for (std::size_t begin = 0; begin < n; begin += 16) f(begin, begin + 16 < n ? begin + 16 : n);
-}
-
 }  // namespace ostium::sph3d

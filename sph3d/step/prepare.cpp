@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sph3d/step/lane_access.hpp"
+#include "sph3d/step/shared_loops.hpp"
 
 namespace ostium::sph3d {
 

@@ -5,6 +5,7 @@
 
 #include "core/large_pages.hpp"
 #include "sph3d/step/lane_access.hpp"
+#include "sph3d/step/shared_loops.hpp"
 
 namespace ostium::sph3d {
 
@@ -148,14 +149,13 @@ template <int D>
 void look_around(const Model<D>& model, FluidState<D>& state, Workspace<D>& work) {
   const HalfSpace<D>& space = model.half_space;
   resize_in_large_pages(work.around, state.clusters.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t c = 0; c < state.clusters.size(); ++c) {
+  for_clusters(state.clusters.size(), [&](std::size_t c) {
     ClusterSurroundings<D>& around = work.around[c];
     around = {};
     for (auto& row : state.clusters[c].wall) std::fill_n(row, 8, 0.0f);
     const bool walled = work.wall_motion || feels_wall(model, work.rows.box(c));
     const std::int8_t* duct = &work.duct_of[8 * c];
-    if (!walled && std::all_of(duct, duct + 8, [](int k) { return k < 0; })) continue;
+    if (!walled && std::all_of(duct, duct + 8, [](int k) { return k < 0; })) return;
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const std::size_t i = 8 * c + lane;
       const WallSample<D> wall =
@@ -175,7 +175,7 @@ void look_around(const Model<D>& model, FluidState<D>& state, Workspace<D>& work
         lane_assign<D>(around.open_flux, lane, open.flux);
       }
     }
-  }
+  });
 }
 
 template <int D>
@@ -183,11 +183,10 @@ void kernel_sums(const Model<D>& model, FluidState<D>& state, Workspace<D>& work
   const auto& kernels = fluid_kernels<D>();
   const FluidConstants constants = constants_of(model);
   resize_in_large_pages(work.sums, state.clusters.size());
-  const auto n = static_cast<std::int64_t>(state.clusters.size());
-#pragma omp parallel for schedule(static)
-  for (std::int64_t c = 0; c < n; c += 16)
-    kernels.sums(c, std::min(c + 16, n), state.clusters.data(), work.sums.data(), work.rows.data(),
-                 work.place.data(), constants);
+  for_batches(state.clusters.size(), [&](std::size_t begin, std::size_t end) {
+    kernels.sums(begin, end, state.clusters.data(), work.sums.data(), work.rows.data(), work.place.data(),
+                 constants);
+  });
 }
 
 #define OSTIUM_INSTANTIATE(D)                                                                       \

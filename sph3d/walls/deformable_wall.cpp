@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "sph3d/step/lane_access.hpp"
+#include "sph3d/step/shared_loops.hpp"
 
 namespace ostium::sph3d {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sph3d/step/lane_access.hpp"
+#include "sph3d/step/shared_loops.hpp"
 #include "sph3d/walls/ball_tree.hpp"
 #include "sph3d/walls/smallest_rotation.hpp"
 

@@ -38,7 +38,12 @@ struct Holzapfel {
 
   template <class T>
   OSTIUM_INLINE Sym3<T> stress(const Sym3<T>& E, const Fibres<T>& fibres) const {
-    Sym3<T> S = rubber.stress(E);
+    return stress(E, fibres, inverse_cube_root(right_cauchy_green(E).determinant()));
+  }
+  /// With J^(-2/3) as it is known already.
+  template <class T>
+  OSTIUM_INLINE Sym3<T> stress(const Sym3<T>& E, const Fibres<T>& fibres, const T& over_q) const {
+    Sym3<T> S = rubber.stress(E, fibres, over_q);
     for (const auto* a : {fibres.first, fibres.second}) {
       const T e = stretched(E, a);
       S += (T(2.0 * k1) * e * exponential(T(k2) * e * e)) * structure(a);
@@ -51,25 +56,29 @@ struct Holzapfel {
     T psi = rubber.energy(E);
     for (const auto* a : {fibres.first, fibres.second}) {
       const T e = stretched(E, a);
-      psi += T(k1 / (2.0 * k2)) * (exponential(T(k2) * e * e) - T(1.0));
+      psi += T(k1 / (2.0 * k2)) * exponential_less_one(T(k2) * e * e);
     }
     return psi;
   }
 
-  /// As of the rubber: S_zz / (C^-1)_zz and its slope, Pa.
+  /// g = g_rubber + q a sum over both families 2 k1 kappa e exp(k2 e^2): they feel the thickness by their dispersion.
+  template <class T>
+  OSTIUM_INLINE VolumeStress<T> volume_stress(const Sheet<T>& sheet, const T& q, Sym3<T> E,
+                                              const Fibres<T>& fibres) const {
+    VolumeStress<T> g = rubber.volume_stress(sheet, q, E);
+    if (kappa == 0.0) return g;
+    const T a = sheet.across(q);
+    E.zz = sheet.thickness_strain(q);
+    for (const auto* direction : {fibres.first, fibres.second}) {
+      const T e = stretched(E, direction), grown = T(2.0 * k1 * kappa) * exponential(T(k2) * e * e) * (q * a);
+      g.value += grown * e;
+      g.slope += grown * (T(4.0) * e + T(3.0 * kappa) * (T(1.0) + T(2.0 * k2) * e * e) * is_positive(e) * a);
+    }
+    return g;
+  }
   template <class T>
   OSTIUM_INLINE ThicknessStress<T> thickness_stress(const Sym3<T>& E, const Fibres<T>& fibres) const {
-    ThicknessStress<T> s = rubber.thickness_stress(E);
-    if (kappa == 0.0) return s;  // fibres in the tangent plane do not feel the thickness
-    const Sym3<T> C = right_cauchy_green(E);
-    const T over = C.determinant() / (C.xx * C.yy - C.xy * C.xy);
-    for (const auto* a : {fibres.first, fibres.second}) {
-      const T e = stretched(E, a), grown = T(2.0 * k1 * kappa) * exponential(T(k2) * e * e);
-      s.value += grown * e * over;
-      s.slope +=
-          grown * (T(2.0) * e + T(2.0 * kappa) * (T(1.0) + T(2.0 * k2) * e * e) * is_positive(e) * over);
-    }
-    return s;
+    return by_thickness(*this, E, fibres);
   }
 
  private:

@@ -13,6 +13,7 @@
 #include "sph3d/structure/fibres.hpp"
 #include "sph3d/structure/lane_functions.hpp"
 #include "sph3d/structure/moduli.hpp"
+#include "sph3d/structure/sheet.hpp"
 #include "sph3d/structure/sym3.hpp"
 
 namespace ostium::sph3d {
@@ -34,11 +35,16 @@ struct NeoHookean {
   OSTIUM_INLINE double thinning() const { return (K - 2.0 / 3.0 * mu) / (K + 4.0 / 3.0 * mu); }
 
   template <class T>
-  OSTIUM_INLINE Sym3<T> stress(const Sym3<T>& E, const Fibres<T>& = {}) const {
-    const Sym3<T> C = right_cauchy_green(E), cofactor = C.cofactor();
-    const T J2 = C.determinant(), inverse = T(1.0) / J2, shape = T(mu) * inverse_cube_root(J2);
-    const T along_inverse = (T(0.5 * K) * (J2 - T(1.0)) - shape * C.trace() * T(1.0 / 3.0)) * inverse;
-    return (along_inverse * cofactor).add_to_diagonal(shape);
+  OSTIUM_INLINE Sym3<T> stress(const Sym3<T>& E, const Fibres<T>& fibres = {}) const {
+    return stress(E, fibres, inverse_cube_root(right_cauchy_green(E).determinant()));
+  }
+  /// With J^(-2/3) as it is known already.
+  template <class T>
+  OSTIUM_INLINE Sym3<T> stress(const Sym3<T>& E, const Fibres<T>&, const T& over_q) const {
+    const Sym3<T> C = right_cauchy_green(E);
+    const T shape = T(mu) * over_q, inverse = over_q * over_q * over_q;  // 1 / J^2
+    const T along_inverse = T(0.5 * K) * (T(1.0) - inverse) - shape * C.trace() * T(1.0 / 3.0) * inverse;
+    return (along_inverse * C.cofactor()).add_to_diagonal(shape);
   }
 
   template <class T>
@@ -49,14 +55,18 @@ struct NeoHookean {
     return T(0.5 * mu) * (inverse_cube_root(J2) * C.trace() - T(3.0)) + T(0.25 * K) * (J2 - T(1.0) - log(J2));
   }
 
-  /// S_zz / (C^-1)_zz, which is nearly linear in E_zz and rises with it everywhere, and its slope, Pa.
+  /// g = mu (2/3 a - (C_xx + C_yy + w)/3) + K/2 (q^4 - q),   a = q^3/A
   template <class T>
-  OSTIUM_INLINE ThicknessStress<T> thickness_stress(const Sym3<T>& E, const Fibres<T>& = {}) const {
-    const Sym3<T> C = right_cauchy_green(E);
-    const T area2 = C.xx * C.yy - C.xy * C.xy, J2 = C.determinant(), over = J2 / area2;  // 1 / (C^-1)_zz
-    const T shape = T(mu) * inverse_cube_root(J2), third = C.trace() * T(1.0 / 3.0);
-    return {shape * (over - third) + T(0.5 * K) * (J2 - T(1.0)),
-            T(2.0 / 3.0) * shape * (T(1.0) + third / over) + T(K) * area2};
+  OSTIUM_INLINE VolumeStress<T> volume_stress(const Sheet<T>& sheet, const T& q, const Sym3<T>& E,
+                                              const Fibres<T>& = {}) const {
+    const T a = sheet.across(q), q4 = q * q * q * q;
+    const T third = T(1.0 / 3.0) * (T(2.0) * (T(1.0) + E.xx + E.yy) + sheet.lean);
+    return {T(mu) * (T(2.0 / 3.0) * a - third) + T(0.5 * K) * (q4 - q),
+            T(2.0 * mu) * a + T(0.5 * K) * (T(4.0) * q4 - q)};
+  }
+  template <class T>
+  OSTIUM_INLINE ThicknessStress<T> thickness_stress(const Sym3<T>& E, const Fibres<T>& fibres = {}) const {
+    return by_thickness(*this, E, fibres);
   }
 };
 

@@ -32,8 +32,8 @@ class ImportOpenbf : public ProgramTest {
 const std::string tube = "  - {label: tube, sn: 1, tn: 2, L: 0.1, R0: 0.01, E: 4e5, h0: 1e-3, Pext: 9000, ";
 
 TEST(OpenbfWalls, StraightVesselAtItsOwnPressure) {
-  openbf::VesselData v{
-      .label = "v", .L = 0.2, .E = 5e5, .Pext = 8000, .gamma_profile = 9, .R0 = 6e-3, .h0 = 8e-4};
+  openbf::VesselData v;
+  v.label = "v", v.L = 0.2, v.E = 5e5, v.Pext = 8000, v.gamma_profile = 9, v.R0 = 6e-3, v.h0 = 8e-4;
   const double pi = std::numbers::pi, A = pi * 36e-6;
   const auto all = openbf::lumped(v, {1060, 0.004}, 8000, 0, 1);
   EXPECT_NEAR(all.R, 22 * pi * 0.004 * 0.2 / (A * A), 1e-10 * all.R);
@@ -46,7 +46,8 @@ TEST(OpenbfWalls, StraightVesselAtItsOwnPressure) {
 
 /// A cone: int dx/r^4 = l (1/r1^3 - 1/r2^3)/(3 (r2 - r1)); halves add up to the whole.
 TEST(OpenbfWalls, TaperedVessel) {
-  openbf::VesselData v{.label = "v", .L = 0.2, .E = 5e5, .Rp = 6e-3, .Rd = 4e-3, .h0 = 8e-4};
+  openbf::VesselData v;
+  v.label = "v", v.L = 0.2, v.E = 5e5, v.Rp = 6e-3, v.Rd = 4e-3, v.h0 = 8e-4;
   const openbf::BloodData blood{1060, 0.004};
   const auto all = openbf::lumped(v, blood, 0, 0, 1), a = openbf::lumped(v, blood, 0, 0, 0.5),
              b = openbf::lumped(v, blood, 0, 0.5, 1);

@@ -1,65 +1,15 @@
-// `ostium sweep`: tables, statistics, refusals, what interruptions and processes leave unchanged.
-#include <fmt/format.h>
+// `ostium sweep`: tables, statistics, what interruptions and processes leave unchanged.
 #include <hdf5.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "program.hpp"
+#include "sweeping.hpp"
 
 namespace ostium::test {
 namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
-
-constexpr const char* rcr = R"(network:
-  blocks:
-    in: {type: flow_source, to: A, flow: {fourier: {mean: 90, cos: [-60]}, unit: mL/s, period: 1 s}}
-    bed: {type: windkessel, from: A, Rp: 1e7 Pa.s/m3, C: 3e-9 m3/Pa, Rd: 4e8 Pa.s/m3}
-time: {period: 1 s}
-output: {every: 20 ms}
-sweep:
-  sample: latin_hypercube
-  count: 50
-  parameters:
-    - {name: bed.Rd, low: 100 mmHg.s/L, high: 4e8 Pa.s/m3}
-    - {name: bed.C, low: 1e-9 m3/Pa, high: 1e-8 m3/Pa, scale: log}
-  results: [mean p:A, pulse p:A]
-)";
-
-constexpr double q0 = 90e-6, Rp = 1e7;
-
-class Sweeping : public ProgramTest {
- protected:
-  static std::string with(const std::string& from, const std::string& to, std::string text = rcr) {
-    return text.replace(text.find(from), from.size(), to);
-  }
-  std::vector<std::string> lines(const std::string& file) const {
-    std::istringstream stream(content(file));
-    std::vector<std::string> all;
-    for (std::string line; std::getline(stream, line);) all.push_back(line);
-    return all;
-  }
-  static std::vector<std::string> cells(const std::string& line) {
-    std::istringstream stream(line);
-    std::vector<std::string> all;
-    for (std::string cell; std::getline(stream, cell, ',');) all.push_back(cell);
-    return all;
-  }
-  json summary(const std::string& folder) const { return json::parse(content(folder + "/summary.json")); }
-
-  /// Starts a sweep of `count` samples and ends it by a signal when some blocks are written; returns what it said.
-  std::string cut_short(const std::string& signal, int count) const {
-    return shell(
-               fmt::format(
-                   "{} sweep case.yaml -q -o stopped --set sweep.count={} & pid=$!; for i in $(seq 3000); do "
-                   "[ \"$(cat stopped/sweep.csv 2>/dev/null | wc -l)\" -gt 40 ] && break; sleep 0.01; done; "
-                   "kill -{} $pid; wait $pid; echo code $?",
-                   OSTIUM_BINARY, count, signal))
-        .text;
-  }
-};
 
 TEST_F(Sweeping, ATableWithUnits) {
   write("case.yaml", rcr);
@@ -279,50 +229,6 @@ sweep:
   EXPECT_EQ(std::stod(last[3]), results.back());
 }
 
-TEST_F(Sweeping, Refusals) {
-  write("samples.csv", "bed.Rd [Pa.s/m3],bed.C\n1e8,1e-9\n");
-  const std::tuple<std::string, std::string, std::string> all[] = {
-      {"bed.Rd,", "bed.Rdd,", "there is no parameter \"bed.Rdd\""},
-      {"bed.Rd,", "bed.Rdd,", "did you mean \"bed.Rd\"?"},
-      {"low: 100 mmHg.s/L", "low: 5e8 Pa.s/m3",
-       "bed.Rd: low is 5e+08 and high 4e+08 Pa.s/m3; low must be below high"},
-      {"low: 100 mmHg.s/L", "low: 100 mmHg",
-       "case.yaml:11:22: sweep.parameters.1.low: the unit \"mmHg\" has the wrong dimension"},
-      {"low: 100 mmHg.s/L", "low: 100", "expected a value with a unit of dimension Pa.s/m3"},
-      {"low: 100 mmHg.s/L", "low: -1 Pa.s/m3", "bed.Rd is -1 Pa.s/m3, and must be > 0 Pa.s/m3"},
-      {"low: 100 mmHg.s/L, ", "", "\"low\" is missing"},
-      {"low: 1e-9 m3/Pa", "low: 0 m3/Pa", "a logarithmic scale needs low > 0"},
-      {"bed.C, low", "bed.Rd, low", "the unit \"m3/Pa\" has the wrong dimension"},
-      {"scale: log", "scale: log, count: 3", "values from low to high are counted in a grid"},
-      {"scale: log", "distribution: normal", "belong together"},
-      {"scale: log", "scale: logarithmic", "scale"},
-      {"    - {name: bed.C, low: 1e-9 m3/Pa, high: 1e-8 m3/Pa, scale: log}",
-       "    - {name: bed.Rd, low: 1e8 Pa.s/m3, high: 2e8 Pa.s/m3}", "the parameter bed.Rd is given twice"},
-      {"count: 50", "count: 0", "must be >= 1"},
-      {"  count: 50\n", "", "the number of samples is missing; add for example \"count: 1000\""},
-      {"count: 50", "count: 1000000000", "at most 2e+08 are allowed; choose fewer values"},
-      {"latin_hypercube\n  count: 50", "grid", "in a grid \"count\" is missing"},
-      {"latin_hypercube", "grid", "a grid has a \"count\" for each parameter"},
-      {"latin_hypercube", "latin_hypercub", "did you mean \"latin_hypercube\"?"},
-      {"sample: latin_hypercube\n  count: 50", "file: samples.csv", "leave all but \"name\" out"},
-      {"count: 50", "file: samples.csv", "give either \"sample\""},
-      {"[mean p:A, pulse p:A]", "[meen p:A]", "there is no index \"meen\"; did you mean \"mean\"?"},
-      {"[mean p:A, pulse p:A]", "[mean p:B]", "there is no series \"p:B\""},
-      {"[mean p:A, pulse p:A]", "[]", "no result is asked for"},
-      {"sweep:", "swep:", "did you mean \"sweep\"?"},
-  };
-  for (const auto& [from, to, sentence] : all) {
-    write("case.yaml", with(from, to));
-    const Outcome outcome = ostium("sweep case.yaml -o swept");
-    EXPECT_EQ(outcome.code, 2) << sentence << "\n" << outcome.text;
-    EXPECT_THAT(outcome.text, HasSubstr(sentence));
-    EXPECT_THAT(outcome.text, HasSubstr("case.yaml:"));
-    EXPECT_FALSE(exists("swept"));
-  }
-  write("case.yaml", std::string(rcr).substr(0, std::string(rcr).find("sweep:")));
-  EXPECT_THAT(ostium("sweep case.yaml").text, HasSubstr("a sweep needs the section \"sweep\""));
-}
-
 /// The example of docs/running.md, with a network that has its names.
 TEST_F(Sweeping, TheExampleOfThePages) {
   std::ostringstream page;
@@ -337,33 +243,6 @@ TEST_F(Sweeping, TheExampleOfThePages) {
   const Outcome outcome = ostium("sweep case.yaml -q -o swept --set sweep.count=20");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_EQ(lines("swept/sweep.csv").size(), 21u);
-}
-
-TEST_F(Sweeping, RefusedFiles) {
-  write("case.yaml", with("sample: latin_hypercube\n  count: 50", "file: samples.csv"));
-  const std::string bare = " --set 'sweep.parameters=[]'",
-                    named = " --set 'sweep.parameters=[{name: bed.Rd}]'";
-  const std::tuple<std::string, std::string, std::string> all[] = {
-      {"bed.Rd [Pa.s/m3],bed.C\n1e8,1e-9\n", bare,
-       "the column \"bed.C\" has no unit; write for example \"bed.C [m3/Pa]\""},
-      {"bed.Rd [mmHg],bed.C [m3/Pa]\n1e8,1e-9\n", bare, "the unit \"mmHg\" has the wrong dimension"},
-      {"bed.Rd [Pa.s/m3],bed.C [m3/Pa]\n1e8,much\n", bare, "samples.csv:2: column 2: \"much\" is no number"},
-      {"bed.Rd [Pa.s/m3],bed.C [m3/Pa]\n1e8,nan\n", bare,
-       "samples.csv:2: column \"bed.C\": bed.C is nan m3/Pa, and must be"},
-      {"bed.Rdd [Pa.s/m3],bed.C [m3/Pa]\n1e8,1e-9\n", bare, "there is no parameter \"bed.Rdd\""},
-      {"bed.Rdd [Pa.s/m3],bed.C [m3/Pa]\n1e8,1e-9\n", named,
-       "the samples have no column \"bed.Rd\"; did you mean \"bed.Rdd\"?"},
-      {"1e8,1e-9\n", bare, "need a header line"},
-      {"bed.Rd [Pa.s/m3],bed.C [m3/Pa]\n", bare, "no row of numbers"},
-  };
-  for (const auto& [text, parameters, sentence] : all) {
-    write("samples.csv", text);
-    const Outcome outcome = ostium("sweep case.yaml -o swept" + parameters);
-    EXPECT_EQ(outcome.code, 2) << sentence << "\n" << outcome.text;
-    EXPECT_THAT(outcome.text, HasSubstr(sentence));
-    EXPECT_THAT(outcome.text, HasSubstr("sweep.file: "));
-    EXPECT_FALSE(exists("swept"));
-  }
 }
 
 }  // namespace

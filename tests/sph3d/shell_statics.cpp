@@ -94,8 +94,8 @@ struct Cantilever {
   double arm;
   std::size_t last;
 
-  Cantilever(const Strip& s, int n, double load)
-      : model(strip(n, s.L / n, s.t, 4, 0), s.options(s.L / n)),
+  Cantilever(const Strip& s, int n, double load, double hourglass = 1.0)
+      : model(strip(n, s.L / n, s.t, 4, 0), s.options(s.L / n, hourglass)),
         state(rest(model)),
         arm((n + 0.5) * s.L / n),
         last(3 + std::size_t(n)) {
@@ -105,17 +105,20 @@ struct Cantilever {
   }
 };
 
-TEST(ShellStatics, CantileverWithSmallDeflection) {
+/// Shortfall of the deflection of the loaded end against the closed formula.
+double cantilever_error(int n, double hourglass) {
   const Strip s{.nu = 0.0};
   const double P = 1e-3 * 3 * s.D();
-  double error[2];
-  for (int k = 0; k < 2; ++k) {
-    const Cantilever beam(s, 40 << k, P);
-    const double exact = P * std::pow(beam.arm, 3) / (3 * s.D()) + P * beam.arm / s.shear();
-    error[k] = 1.0 - beam.state.displacement(beam.last)[1] / exact;
-  }
-  EXPECT_NEAR(error[1], 0.0, 0.01);
-  EXPECT_GT(error[0] / error[1], 1.8);
+  const Cantilever beam(s, n, P, hourglass);
+  const double exact = P * std::pow(beam.arm, 3) / (3 * s.D()) + P * beam.arm / s.shear();
+  return 1.0 - beam.state.displacement(beam.last)[1] / exact;
+}
+
+TEST(ShellStatics, CantileverWithSmallDeflection) {
+  EXPECT_NEAR(cantilever_error(40, 0.001), 0.0, 0.01);
+  const double coarse = cantilever_error(40, 1.0), fine = cantilever_error(80, 1.0);
+  EXPECT_NEAR(fine, 0.0, 0.01);
+  EXPECT_GT(coarse / fine, 1.8);
 }
 
 // The load parameter P L^2 / D of the benchmark for the effective length.

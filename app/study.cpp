@@ -75,7 +75,8 @@ class StudySession {
     return {.begin = [this](const auto& names) { begin(names); },
             .row =
                 [&](double t, std::span<const double> values) {
-                  recorder_->row(t, {}, values);
+                  const bool written = recorder_->row(t, {}, values);
+                  if (svzerod_ && written) svzerod_->row(t, values);
                   progress.update(t, ++rows_);
                   stopped_ = interrupted() && t < end_;
                   return !stopped_;
@@ -91,6 +92,7 @@ class StudySession {
     recorder_.emplace(study_, options_.case_name, options_.folder, effective_case(study_, model_),
                       Recorder::Names{{}, names, elements_of(model_)},
                       saved_ ? std::optional(saved_->recorded) : std::nullopt);
+    if (svzerod_ && saved_) svzerod_->recall(options_.folder);
     log::info("{}: {} blocks, {} series, to {:.4g} s", options_.case_name, model_.entries.size(),
               names.size(), end_);
     if (periodic_) log::info("{}", periodic_line(*periodic_));
@@ -104,7 +106,7 @@ class StudySession {
 
   int finish() {
     recorder_->finish(Status::finished, facts());
-    if (svzerod_) recorder_->flush(), svzerod_->write(options_.folder);
+    if (svzerod_) svzerod_->write(options_.folder);
     std::error_code ignored;
     std::filesystem::remove(options_.folder.checkpoint(), ignored);  // nothing to go on with
     log::info("{}", recorder_->table());

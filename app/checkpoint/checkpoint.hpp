@@ -20,7 +20,7 @@
 
 namespace ostium::app {
 
-inline constexpr std::int64_t checkpoint_format = 3;
+inline constexpr std::int64_t checkpoint_format = 4;
 
 struct CheckpointKey {
   std::string kind;       // "vessel in 3D", "network"

@@ -38,7 +38,7 @@ void archive(Archive& a, Recorded& r) {
   a("wall", r.wall);
   a.part("rows", [&] { r.rows.archive(a); });
   a.part("balance_rows", [&] { r.balance_rows.archive(a); });
-  a.list("statistics", r.statistics, [&](CycleStatistics& s) { s.archive(a); });
+  a.part("statistics", [&] { r.statistics.archive(a); });
   a.part("derived", [&] { archive(a, r.derived); });
   a("ports_bytes", r.ports_bytes);
   a("network_bytes", r.network_bytes);
@@ -60,6 +60,7 @@ Recorder::Recorder(const Case& study, std::string case_name, const ResultsFolder
   write_text(folder_.file("case.effective.yaml"), effective);
   for (const auto& port : names_.ports) track("pressure " + port, 'p'), track("flow_out " + port, 'q');
   for (const auto& series : names_.series) track(series, series[0]);
+  statistics_ = CycleStatistics(study.time.period.value_or(0), tracked_.size());
   open(saved);
   if (saved) recall(*saved);
 }
@@ -75,11 +76,11 @@ void Recorder::open(const std::optional<Recorded>& saved) {
 }
 
 void Recorder::recall(const Recorded& saved) {
-  OSTIUM_ASSERT(saved.statistics.size() == tracked_.size(), "{} statistics saved, {} series",
-                saved.statistics.size(), tracked_.size());
+  OSTIUM_ASSERT(saved.statistics.series() == tracked_.size(), "statistics of {} series saved, {} series",
+                saved.statistics.series(), tracked_.size());
   time_ = saved.time, wall_before_ = saved.wall;
   rows_.go_on(saved.rows), balance_rows_.go_on(saved.balance_rows);
-  for (std::size_t i = 0; i < tracked_.size(); ++i) tracked_[i].statistics = saved.statistics[i];
+  statistics_ = saved.statistics;
   derived_.recall(saved.derived);
   log::recall_warnings(saved.warnings);
 }
@@ -87,7 +88,7 @@ void Recorder::recall(const Recorded& saved) {
 Recorded Recorder::save() {
   Recorded r{.time = time_, .wall = wall(), .rows = rows_, .balance_rows = balance_rows_};
   r.derived = derived_.save();
-  for (const auto& t : tracked_) r.statistics.push_back(t.statistics);
+  r.statistics = statistics_;
   r.network_bytes = static_cast<std::int64_t>(network_->bytes());
   if (ports_) r.ports_bytes = static_cast<std::int64_t>(ports_->bytes());
   if (balance_) r.balance_bytes = static_cast<std::int64_t>(balance_->bytes());
@@ -107,22 +108,20 @@ void Recorder::track(const std::string& name, char kind) {
                                : "SI",
                       pressure ? 1 / to_si(1, "mmHg", "Pa")
                       : flow   ? 1e6
-                               : 1.0,
-                      CycleStatistics(study_.time.period.value_or(0))});
+                               : 1.0});
 }
 
-void Recorder::row(double time, std::span<const PortRow> ports, std::span<const double> series) {
+bool Recorder::row(double time, std::span<const PortRow> ports, std::span<const double> series) {
   time_ = time;
-  std::size_t i = 0;
-  for (const auto& port : ports) {
-    tracked_[i++].statistics.add(time, port.pressure);
-    tracked_[i++].statistics.add(time, port.flow_out);
-  }
+  row_.clear();
+  for (const auto& port : ports) row_.insert(row_.end(), {port.pressure, port.flow_out});
+  row_.insert(row_.end(), series.begin(), series.end());
+  statistics_.add(time, row_);
   derived_.row(time, series);
-  for (double value : series) tracked_[i++].statistics.add(time, value);
-  if (time < study_.output.from * (1 - 1e-9) || !rows_.due(time)) return;
+  if (time < study_.output.from * (1 - 1e-9) || !rows_.due(time)) return false;
   if (ports_) ports_->rows(time, ports);
   network_->row(time, series);
+  return true;
 }
 
 void Recorder::balance(const BalanceRow& row) {
@@ -138,29 +137,29 @@ void Recorder::flush() {
 
 double Recorder::periodicity() const {
   double change = 0;
-  for (const auto& t : tracked_) change = std::max(change, t.statistics.change());
+  for (std::size_t i = 0; i < tracked_.size(); ++i) change = std::max(change, statistics_.change(i));
   return tracked_.empty() ? 1 : change;
 }
 
-json Recorder::statistics() const {
+json Recorder::series() const {
   json all = json::object();
-  for (const auto& t : tracked_) {
-    const auto cycles = t.statistics.cycles();
+  for (std::size_t i = 0; i < tracked_.size(); ++i) {
+    const auto cycles = statistics_.cycles(i);
     if (cycles.empty()) continue;
     const auto& last = last_complete(cycles);
-    all[t.name] = {
+    all[tracked_[i].name] = {
         {"mean", last.mean}, {"min", last.min}, {"max", last.max}, {"cycle_means", means_of(cycles)}};
   }
   return all;
 }
 
 json Recorder::derived() const {
-  std::map<std::string, const CycleStatistics*> by_name;
-  for (const auto& t : tracked_) by_name.emplace(t.name, &t.statistics);
+  std::map<std::string, std::size_t> place;
+  for (std::size_t i = 0; i < tracked_.size(); ++i) place.emplace(tracked_[i].name, i);
   return derived_.results([&](const std::string& name) -> std::optional<CycleValues> {
-    const auto at = by_name.find(name);
-    if (at == by_name.end()) return {};
-    const auto cycles = at->second->cycles();
+    const auto at = place.find(name);
+    if (at == place.end()) return {};
+    const auto cycles = statistics_.cycles(at->second);
     return cycles.empty() ? std::nullopt : std::optional(last_complete(cycles));
   });
 }
@@ -177,7 +176,7 @@ void Recorder::finish(Status status, const json& facts) {
        {{"end_s", study_.time.final()}, {"reached_s", time_}, {"period_s", study_.time.period.value_or(0)}}},
       {"wall_s", wall()},
       {"periodicity", {{"change_between_last_cycles", periodicity()}}},
-      {"series", statistics()},
+      {"series", series()},
       {"derived", derived()},
       {"warnings", log::warnings()}};
   summary.update(facts, true);
@@ -189,8 +188,9 @@ std::string Recorder::table() const {
   for (const auto& t : tracked_) width = std::max(width, t.name.size());
   std::string text =
       fmt::format("{:<{}}  {:>6} {:>11} {:>11} {:>11}\n", "last cycle", width, "unit", "mean", "min", "max");
-  for (const auto& t : tracked_) {
-    const auto cycles = t.statistics.cycles();
+  for (std::size_t i = 0; i < tracked_.size(); ++i) {
+    const auto& t = tracked_[i];
+    const auto cycles = statistics_.cycles(i);
     if (cycles.empty()) continue;
     const auto& c = last_complete(cycles);
     text += fmt::format("{:<{}}  {:>6} {:>11.5g} {:>11.5g} {:>11.5g}\n", t.name, width, t.unit,

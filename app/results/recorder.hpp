@@ -22,7 +22,7 @@ enum class Status { finished, interrupted, failed };
 struct Recorded {
   double time = 0, wall = 0;  // s; wall: of the sittings so far
   Thinning rows, balance_rows;
-  std::vector<CycleStatistics> statistics{};
+  CycleStatistics statistics{};
   DerivedState derived{};
   std::int64_t ports_bytes = 0, network_bytes = 0, balance_bytes = 0;
   std::vector<std::string> warnings{};
@@ -41,7 +41,8 @@ class Recorder {
            const std::string& effective, Names names, const std::optional<Recorded>& saved = {});
   Recorded save();
 
-  void row(double time, std::span<const PortRow> ports, std::span<const double> series);
+  /// True where the row also goes to the files.
+  bool row(double time, std::span<const PortRow> ports, std::span<const double> series);
   void balance(const BalanceRow& row);  // thinned like the others
   void flush();
 
@@ -58,13 +59,12 @@ class Recorder {
   struct Tracked {
     std::string name, unit;
     double scale;  // from SI to the unit
-    CycleStatistics statistics;
   };
   void track(const std::string& name, char kind);
   void open(const std::optional<Recorded>& saved);
   void recall(const Recorded& saved);
   double wall() const;
-  nlohmann::json statistics() const;
+  nlohmann::json series() const;
   nlohmann::json derived() const;
 
   Case study_;
@@ -77,6 +77,8 @@ class Recorder {
   Thinning rows_, balance_rows_;
   Derived derived_;
   std::vector<Tracked> tracked_;
+  CycleStatistics statistics_;  // of what is tracked
+  std::vector<double> row_;
   double time_ = 0, wall_before_ = 0;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };

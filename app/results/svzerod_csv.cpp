@@ -13,10 +13,6 @@
 namespace ostium::app {
 namespace {
 
-struct Rows {
-  std::vector<double> time, values;  // values: all series of the first time, of the next one, ..
-};
-
 double start_of(const std::string& name, const config::Node& start) {
   const auto given = start.find(name);
   if (!given) return 0;
@@ -25,26 +21,6 @@ double start_of(const std::string& name, const config::Node& start) {
   } catch (const UserError& e) {
     given->error("{}", e.what());
   }
-}
-
-/// The rows of network.csv from `begin` on.
-Rows read_rows(const std::filesystem::path& file, double begin) {
-  Rows rows;
-  std::ifstream stream(file);
-  std::string line;
-  std::getline(stream, line);
-  while (std::getline(stream, line)) {
-    const char* const end = line.data() + line.size();
-    double number = 0;
-    const char* next = std::from_chars(line.data(), end, number).ptr;
-    if (number < begin) continue;
-    rows.time.push_back(number);
-    while (next < end && *next == ',') {
-      next = std::from_chars(next + 1, end, number).ptr;
-      rows.values.push_back(number);
-    }
-  }
-  return rows;
 }
 
 }  // namespace
@@ -93,16 +69,35 @@ double SvzerodCsv::Variable::value(const double* series) const {
   return sum / unit;
 }
 
+void SvzerodCsv::recall(const ResultsFolder& folder) {
+  std::ifstream stream(folder.file("network.csv"));
+  std::string line;
+  std::getline(stream, line);
+  std::vector<double> cells;
+  while (std::getline(stream, line)) {
+    cells.clear();
+    const char *at = line.data(), *const end = at + line.size();
+    for (double number = 0; at < end; ++at)
+      at = std::from_chars(at, end, number).ptr, cells.push_back(number);
+    if (cells.size() == series_.size() + 1) row(cells[0], std::span(cells).subspan(1));
+  }
+}
+
+void SvzerodCsv::row(double time, std::span<const double> series) {
+  if (time < begin_) return;
+  times_.push_back(time);
+  values_.insert(values_.end(), series.begin(), series.end());
+}
+
 void SvzerodCsv::write(const ResultsFolder& folder) const {
-  const Rows rows = read_rows(folder.file("network.csv"), begin_);
   std::vector<std::string> times;  // as they stand in every line
-  for (double time : rows.time) append_number(times.emplace_back(","), time - shift_), times.back() += ',';
+  for (double time : times_) append_number(times.emplace_back(","), time - shift_), times.back() += ',';
   std::string text = "name,time,y\n";
   for (const auto& v : variables_) {
     double sum = 0;
     for (std::size_t k = 0; k < times.size(); ++k) {
-      const bool first = v.start && rows.time[k] == 0;
-      const double y = first ? *v.start : v.value(&rows.values[k * series_.size()]);
+      const bool first = v.start && times_[k] == 0;
+      const double y = first ? *v.start : v.value(&values_[k * series_.size()]);
       sum += y;
       if (!mean_only_) text += v.name, text += times[k], append_number(text, y), text += '\n';
     }

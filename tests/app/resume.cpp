@@ -255,7 +255,7 @@ TEST_F(Resume, FromAnotherFormat) {
   writer.finish();
   EXPECT_THAT(
       refused(),
-      HasSubstr("this checkpoint has format 99 (ostium 9.9), this program reads format 3; resume with "
+      HasSubstr("this checkpoint has format 99 (ostium 9.9), this program reads format 4; resume with "
                 "the program that wrote it"));
 }
 

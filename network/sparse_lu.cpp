@@ -37,17 +37,39 @@ bool SparseLu::factor(const double* values) {
   if (!symbolic_) return false;  // no permutation without zeros on the diagonal: singular by its pattern
   klu_free_numeric(&numeric_, &common_);
   numeric_ = klu_factor(open(start_), open(row_), open(values), symbolic_.get(), &common_);
-  return numeric_ && common_.status == KLU_OK;
+  if (!numeric_ || common_.status != KLU_OK) return false;
+  copy_factors();
+  return true;
 }
 
 bool SparseLu::refactor(const double* values) {
   if (n_ == 0) return true;
   if (!numeric_) return factor(values);
   constexpr double worn = 1e-14;
-  if (klu_refactor(open(start_), open(row_), open(values), symbolic_.get(), numeric_, &common_) &&
-      common_.status == KLU_OK && pivot_ratio() > worn)
-    return true;
-  return factor(values);
+  if (!klu_refactor(open(start_), open(row_), open(values), symbolic_.get(), numeric_, &common_) ||
+      common_.status != KLU_OK || pivot_ratio() <= worn)
+    return factor(values);
+  copy_factors();
+  return true;
+}
+
+void SparseLu::Columns::resize(int n, int entries) {
+  start.resize(n + 1), row.resize(entries), value.resize(entries);
+}
+
+void SparseLu::copy_factors() {
+  lower_.resize(n_, numeric_->lnz), upper_.resize(n_, numeric_->unz), above_.resize(n_, numeric_->nzoff);
+  block_.resize(numeric_->nblocks + 1);
+  for (auto* permutation : {&row_of_, &column_of_}) permutation->resize(n_);
+  for (auto* row : {&row_scale_, &one_over_pivot_, &x_}) row->resize(n_);
+  klu_extract(numeric_, symbolic_.get(), lower_.start.data(), lower_.row.data(), lower_.value.data(),
+              upper_.start.data(), upper_.row.data(), upper_.value.data(), above_.start.data(),
+              above_.row.data(), above_.value.data(), row_of_.data(), column_of_.data(), row_scale_.data(),
+              block_.data(), &common_);
+  for (int j = 0; j < n_; ++j) {
+    row_scale_[j] = 1 / row_scale_[j];
+    one_over_pivot_[j] = 1 / upper_.value[upper_.start[j + 1] - 1];
+  }
 }
 
 double SparseLu::pivot_ratio() {
@@ -59,7 +81,22 @@ double SparseLu::pivot_ratio() {
 void SparseLu::solve(std::span<double> b) const {
   OSTIUM_ASSERT(static_cast<int>(b.size()) == n_ && (n_ == 0 || numeric_), "{} right-hand sides for {}",
                 b.size(), n_);
-  if (n_ > 0) klu_solve(symbolic_.get(), numeric_, n_, 1, b.data(), &common_);
+  double* const x = x_.data();
+  for (int i = 0; i < n_; ++i) x[i] = b[row_of_[i]] * row_scale_[i];
+  for (int block = static_cast<int>(block_.size()) - 2; block >= 0; --block) {
+    const int begin = block_[block], end = block_[block + 1];
+    for (int j = begin; j < end; ++j) lower_.subtract(lower_.start[j] + 1, lower_.start[j + 1], x[j], x);
+    for (int j = end - 1; j >= begin; --j) {
+      x[j] *= one_over_pivot_[j];
+      upper_.subtract(upper_.start[j], upper_.start[j + 1] - 1, x[j], x);
+      above_.subtract(above_.start[j], above_.start[j + 1], x[j], x);
+    }
+  }
+  for (int i = 0; i < n_; ++i) b[column_of_[i]] = x[i];
+}
+
+void SparseLu::Columns::subtract(int first, int last, double factor, double* x) const {
+  for (int k = first; k < last; ++k) x[row[k]] -= value[k] * factor;
 }
 
 void SparseLu::solve_transposed(std::span<double> b) const {

@@ -1,7 +1,8 @@
 /// Sparse LU of matrices that share one pattern: ordered once, factored with pivoting, then refactored with its pivots.
 ///
-///   P A Q = L U,   A in compressed columns
+///   P R A Q = L U + F,   A in compressed columns, R scales rows, F stands above the diagonal blocks of L U
 ///
+/// The factors are copied out of KLU and solved with here: reciprocals of the pivots are kept, which KLU divides by.
 /// `refactor` keeps the pivots where they still serve (no pivot lost more than ten digits against the others) and
 /// chooses new ones where they do not. Source: Davis & Palamadai Natarajan, ACM TOMS 37 (2010) 36: KLU. Not checked:
 /// the condition of A, beyond a pivot that vanishes.
@@ -10,6 +11,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace ostium::network {
 
@@ -33,11 +35,24 @@ class SparseLu {
   double pivot_ratio();
 
  private:
+  struct Columns {
+    std::vector<int> start, row;
+    std::vector<double> value;
+    void resize(int n, int entries);
+    /// x -= (entries first .. last-1) times factor.
+    void subtract(int first, int last, double factor, double* x) const;
+  };
+  void copy_factors();
+
   int n_;
   const int *start_, *row_;
   mutable klu_common common_{};
   std::shared_ptr<klu_symbolic> symbolic_;
   klu_numeric* numeric_ = nullptr;
+  Columns lower_, upper_, above_;  // L with its ones first in each column, U with its pivots last, F
+  std::vector<int> row_of_, column_of_, block_;  // P, Q, first rows of the blocks
+  std::vector<double> row_scale_, one_over_pivot_;
+  mutable std::vector<double> x_;
 };
 
 }  // namespace ostium::network

@@ -28,8 +28,8 @@ constexpr std::array<std::array<double, 2>, 24> ventricular{{
 
 /// t - start, brought into [0, T).
 double since(double t, double start, double T) {
-  const double s = std::fmod(t - start, T);
-  return s < 0 ? s + T : s;
+  const double s = t - start - T * std::floor((t - start) / T);
+  return std::clamp(s, 0.0, T);  // round-off
 }
 
 /// Sum of the harmonics by the recurrence of cos(n x) and sin(n x).

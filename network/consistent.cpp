@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -29,8 +30,8 @@ void Consistent::factorise(double t, const double* y, const double* dy) {
     }
   row_scale_ = row_scale_.unaryExpr([](double r) { return r > 0 ? r : 1.0; });
   for (std::size_t k = 0; k < matrix_.size(); ++k) matrix_[k] /= row_scale_[row[k]];
-  // pivots of earlier states forgotten: a restart has the same bits as a run that goes on
-  if (!lu_.factor(matrix_.data()))
+  const bool good = factorised_ ? lu_.refactor(matrix_.data()) : lu_.factor(matrix_.data());
+  if (!good)
     numerics_error("the network's algebraic equations cannot be solved at t = {} s: their matrix is singular",
                    t);
   factorised_ = true;
@@ -41,9 +42,8 @@ void Consistent::solve_scaled(Eigen::VectorXd& residual) const {
   lu_.solve({residual.data(), static_cast<std::size_t>(residual.size())});
 }
 
-/// One Newton correction; returns its size in the unknowns' scales.
+/// One Newton correction with the matrix as it is; returns its size in the unknowns' scales.
 double Consistent::correct(double t, std::span<const double> port_flow, double* y, double* dy) {
-  factorise(t, y, dy);
   system_.residual(t, y, dy, port_flow, residual_.data());
   solve_scaled(residual_);
   for (int j = 0; j < system_.size(); ++j)
@@ -55,14 +55,16 @@ void Consistent::solve(double t, std::span<const double> port_flow, double* y, d
   for (int j = 0; j < system_.size(); ++j)
     if (!system_.differential(j)) dy[j] = 0;
   constexpr int most = 50;
-  constexpr double small = 1e-12;
-  double last = INFINITY;
+  constexpr double small = 1e-12, fast = 0.01;  // fast: worth more than a new matrix
+  factorise(t, y, dy);
+  double last = INFINITY, before = INFINITY;
   for (int i = 0; i < most; ++i) {
+    if (i > 1 && last > fast * before) factorise(t, y, dy);
     const double size = correct(t, port_flow, y, dy);
     if (!std::isfinite(size)) break;
     // Rates of stiff states are large against their scale: round-off then stops the decrease above `small`.
     if (size < small || (size > 0.5 * last && size < 1e-6)) return;
-    last = size;
+    before = std::exchange(last, size);
   }
   numerics_error(
       "the network finds no consistent pressures and flows at t = {} s (last correction {:.3g} of their "
@@ -122,6 +124,7 @@ void Consistent::refuse_chatter(double t, int k) const {
 
 Eigen::VectorXd Consistent::rates(double t, std::span<const double> port_flow, const double* y,
                                   const double* dy) {
+  begin();
   factorise(t, y, dy);
   system_.jacobian(t, y, dy, d_y_.data(), d_dy_.data());
   constexpr double step = 1e-6;  // s: sources are smooth between kinks

@@ -30,6 +30,9 @@ class Consistent {
 
   /// The parameters have changed.
   void forget() { factorised_ = false; }
+  /// What follows does not depend on what came before: a restart has the same bits as a run that goes on. Until then the
+  /// pivots of earlier states serve later ones.
+  void begin() { factorised_ = factorised_ && system_.linear(); }
 
   /// Derivatives of y for port flows held, at consistent (y, dy): rates of the states and of the algebraic
   /// unknowns.

@@ -36,8 +36,8 @@ class LinearStages final : public StageSolver {
     return true;
   }
 
-  bool solve(double t, std::span<const double> port_flow, const double* base, double* y,
-             double* dy) override {
+  bool solve(double t, std::span<const double> port_flow, const double* base, double* y, double* dy,
+             double) override {
     system_.forcing(t, port_flow, f_.data());
     for (const auto& s : storage_) f_[s.row] -= s.value * base[s.column] / hg_;
     factored_.front().lu->solve(f_);

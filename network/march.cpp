@@ -18,6 +18,7 @@ std::vector<double> stops(const System& system, double t0, double t1, std::span<
 
 void march(const System& system, Consistent& consistent, Engine& engine, const Flows& flows, State& s,
            Rows* rows) {
+  consistent.begin();
   consistent.settle(flows.t0, flows.at(flows.t0), s.y.data(), s.dy.data());
   s.time = flows.t0;
   engine.begin(s.step);
@@ -35,7 +36,7 @@ std::unique_ptr<Engine> make_engine(const System& system, Consistent& consistent
   constexpr size_t few = 24;  // above it a matrix exponential costs more than steps
   const bool small = system.differential_unknowns().size() <= few;
   const bool exact = options.method == Method::exact || (options.method == Method::automatic && small);
-  constexpr double finer = 1e-4;  // than steps need: it costs little, and errors of steps add up
+  constexpr double finer = 3e-5;  // than steps need: it costs little, and errors of steps add up
   if (exact && system.linear())
     return make_exact_engine(system, consistent, finer * options.relative_tolerance);
   if (options.method == Method::ida) return make_ida_engine(system, consistent, options.relative_tolerance);

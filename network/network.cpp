@@ -68,6 +68,7 @@ void Network::restart() {
           .dy = std::vector<double>(start.size(), 0.0),
           .port_flow = {}};
   s.port_flow.resize(port_count());
+  parts_->consistent.begin();
   parts_->consistent.settle(s.time, s.port_flow, s.y.data(), s.dy.data());
   state_ = std::move(s);
 }

@@ -25,7 +25,7 @@ class OutputTimes {
         next_(static_cast<long>(std::floor(after / o.every * (1 + 1e-9))) + 1) {}
   /// The next ones, up to the end of a stretch whose length does not depend on where the run began.
   std::vector<double> stretch() {
-    constexpr long rows = 128;
+    constexpr long rows = 512;
     std::vector<double> times;
     do {
       const double t = static_cast<double>(next_++) * every_;
@@ -41,7 +41,10 @@ class OutputTimes {
 
 /// The network at the start, or where it goes on.
 Network begin(const Model& model, const SimulateOptions& o, const Sink& sink) {
-  Network network(model, {}, {.relative_tolerance = o.relative_tolerance});
+  constexpr double keeps_periodic =
+      1e-6;  // steps less fine would move a periodic state by more than it is known to
+  const double finest = o.initial == Initial::periodic ? keeps_periodic : o.relative_tolerance;
+  Network network(model, {}, {.relative_tolerance = std::min(o.relative_tolerance, finest)});
   if (o.from) {
     network.load(*o.from);
   } else if (o.initial == Initial::periodic) {

@@ -26,7 +26,7 @@ struct SimulateOptions {
   std::optional<State> from = {};  // goes on from this state, whose row is not handed out again ..
   double handed_out = 0;           // s, .. nor those up to this time
   /// Of each step, see NetworkOptions: series are then right to some tenths of a per mille.
-  double relative_tolerance = 1e-6;
+  double relative_tolerance = 3e-6;
 };
 
 /// `begin(names)` once, then `row(t, values)` at t = 0, every, 2 every, .. end, then nothing. row returns

@@ -27,11 +27,13 @@ class StageSolver {
   virtual void forget() = 0;
   /// The equations have changed: a switch was thrown.
   virtual void changed() = 0;
-  /// A step from consistent (y, dy) at t. False: the matrix is singular.
+  /// A step from consistent (y, dy); t: of its middle, where coefficients that change with time are nearest to those of all
+  /// stages. False: the matrix is singular.
   virtual bool begin_step(double t, const double* y, const double* dy, double hg) = 0;
-  /// y, dy: a guess in, the stage's values and rates out. False: no convergence.
-  virtual bool solve(double t, std::span<const double> port_flow, const double* base, double* y,
-                     double* dy) = 0;
+  /// y, dy: a guess in, the stage's values and rates out, to within `looser` times what a step needs. False: no
+  /// convergence.
+  virtual bool solve(double t, std::span<const double> port_flow, const double* base, double* y, double* dy,
+                     double looser = 1) = 0;
   /// An error of the states (in) as the stiff parts damp it: (dF/dy + 1/hg dF/d(dy/dt))^-1 1/hg dF/d(dy/dt) error.
   virtual void damp(double* error) = 0;
   /// After no convergence: false where the matrix was that of this step already.

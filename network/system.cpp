@@ -148,8 +148,7 @@ const double* System::gather(const Placed& p, const std::vector<double>& ground,
   double* x = x_.data();
   for (size_t k = 0; k < p.node.size(); ++k) *x++ = p.node[k] == outside ? ground[k] : y[p.node[k]];
   const int n = static_cast<int>(p.row.size() - p.node.size());
-  x = std::copy(y + p.own, y + p.own + n, x);
-  std::copy(dy + p.own, dy + p.own + n, x);
+  for (int i = 0; i < n; ++i) x[i] = y[p.own + i], x[n + i] = dy[p.own + i];
   return x_.data();
 }
 

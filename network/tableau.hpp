@@ -20,6 +20,7 @@ struct Tableau {
   std::array<std::array<double, most>, most> a;
   std::array<double, most> c, error;
   std::array<int, 4> nodes;  // stages whose c are 0 < .. < 1: algebraic unknowns go through them
+  int probe;                 // stage that their curve is judged by, itself left out
 };
 
 const Tableau& third_order();

@@ -137,7 +137,7 @@ TEST(Simulate, GoesOnWithTheSameBits) {
   const SimulateOptions whole{.end = 3, .every = 0.004};
   const auto all = rows_of(m, whole, 0);
   ASSERT_EQ(all.size(), 751u);
-  for (int stop : {1, 60, 127, 128, 129, 130, 400, 750}) {
+  for (int stop : {1, 60, 511, 512, 513, 514, 600, 750}) {
     std::optional<State> kept;
     auto rows = rows_of(m, whole, stop, &kept);
     ASSERT_TRUE(kept) << stop;

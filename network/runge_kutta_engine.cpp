@@ -61,13 +61,13 @@ class RungeKuttaEngine final : public Engine {
   /// One accepted step, with the event at its end where there is one; returns the time reached.
   double go(double t, double b, Rows* rows) {
     const double h = accepted_step(t, b);
-    std::optional<int> event;
+    int event = none;
     const double end_h = system_.switch_count() ? until_event(t, h, event) : h;
     const double end = end_h == h && last_ ? b : t + end_h;
     if (rows && rows->due(end)) hand_out_between(*rows, t, end_h, end);
     stages_->shift();
     ++steps_;
-    if (event) throw_switch(end, *event, b);
+    if (event != none) throw_switch(end, event, b);
     return end;
   }
 
@@ -194,7 +194,7 @@ class RungeKuttaEngine final : public Engine {
 
   /// Shortens the step until the first guard to pass zero is at zero where it ends: after each shortening all are asked again,
   /// as the one that was farthest on the wrong side need not be the first.
-  double until_event(double t, double h, std::optional<int>& event) {
+  double until_event(double t, double h, int& event) {
     for (int i = 0; i < most_shortenings; ++i) {
       const auto found = first_wrong(t, h);
       if (!found) return h;
@@ -206,14 +206,13 @@ class RungeKuttaEngine final : public Engine {
       if (!attempt(t, h)) give_up(t);
       const double w =
           wrong(k, t + h, stages_->values(tableau().stages - 1), stages_->rates(tableau().stages - 1));
-      event.reset();  // where the step ends before the zero the next one finds it
-      if (std::abs(w) <= at_zero) event = k;
+      event = std::abs(w) <= at_zero ? k : none;  // where the step ends before the zero the next one finds it
     }
     give_up(t);
   }
 
   /// A guard that is wrong from the start: the switch is thrown without a step.
-  double at_once(std::optional<int>& event, int k) {
+  double at_once(int& event, int k) {
     event = k;
     last_ = false;
     stages_->stay();
@@ -264,6 +263,7 @@ class RungeKuttaEngine final : public Engine {
         worst_equation(system_, t, *flows_, stages_->begin_values(), stages_->begin_rates()));
   }
 
+  static constexpr int none = -1;  // no switch
   static constexpr int most_failures = 80, resettled_after = 12, most_shortenings = 40, most_events = 1000;
   static constexpr double finest_of_third = 3e-5;  // relative tolerance above which order 3 does
   static constexpr double looser_between = 300;  // times the tolerance: about what errors of steps add up to

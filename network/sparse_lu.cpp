@@ -61,15 +61,34 @@ void SparseLu::copy_factors() {
   lower_.resize(n_, numeric_->lnz), upper_.resize(n_, numeric_->unz), above_.resize(n_, numeric_->nzoff);
   block_.resize(numeric_->nblocks + 1);
   for (auto* permutation : {&row_of_, &column_of_}) permutation->resize(n_);
-  for (auto* row : {&row_scale_, &one_over_pivot_, &x_}) row->resize(n_);
+  row_scale_.resize(n_), x_.resize(n_);
   klu_extract(numeric_, symbolic_.get(), lower_.start.data(), lower_.row.data(), lower_.value.data(),
               upper_.start.data(), upper_.row.data(), upper_.value.data(), above_.start.data(),
               above_.row.data(), above_.value.data(), row_of_.data(), column_of_.data(), row_scale_.data(),
               block_.data(), &common_);
-  for (int j = 0; j < n_; ++j) {
-    row_scale_[j] = 1 / row_scale_[j];
-    one_over_pivot_[j] = 1 / upper_.value[upper_.start[j + 1] - 1];
+  for (double& scale : row_scale_) scale = 1 / scale;
+  eliminations_.clear(), entries_.clear();
+  for (int block = numeric_->nblocks - 1; block >= 0; --block) {
+    for (int j = block_[block]; j < block_[block + 1]; ++j)
+      if (const int first = lower_.start[j] + 1, last = lower_.start[j + 1]; first < last) {
+        eliminate(j, 1.0, last - first);
+        append(lower_, first, last);
+      }
+    for (int j = block_[block + 1] - 1; j >= block_[block]; --j) {
+      const int pivot = upper_.start[j + 1] - 1;
+      eliminate(j, 1 / upper_.value[pivot], pivot - upper_.start[j] + above_.start[j + 1] - above_.start[j]);
+      append(upper_, upper_.start[j], pivot);
+      append(above_, above_.start[j], above_.start[j + 1]);
+    }
   }
+}
+
+void SparseLu::eliminate(int column, double factor, int entries) {
+  eliminations_.push_back({factor, column, entries});
+}
+
+void SparseLu::append(const Columns& columns, int first, int last) {
+  for (int k = first; k < last; ++k) entries_.push_back({columns.value[k], columns.row[k]});
 }
 
 double SparseLu::pivot_ratio() {
@@ -83,20 +102,13 @@ void SparseLu::solve(std::span<double> b) const {
                 b.size(), n_);
   double* const x = x_.data();
   for (int i = 0; i < n_; ++i) x[i] = b[row_of_[i]] * row_scale_[i];
-  for (int block = static_cast<int>(block_.size()) - 2; block >= 0; --block) {
-    const int begin = block_[block], end = block_[block + 1];
-    for (int j = begin; j < end; ++j) lower_.subtract(lower_.start[j] + 1, lower_.start[j + 1], x[j], x);
-    for (int j = end - 1; j >= begin; --j) {
-      x[j] *= one_over_pivot_[j];
-      upper_.subtract(upper_.start[j], upper_.start[j + 1] - 1, x[j], x);
-      above_.subtract(above_.start[j], above_.start[j + 1], x[j], x);
-    }
+  const Entry* entry = entries_.data();
+  for (const auto& [factor, column, entries] : eliminations_) {
+    const double unknown = x[column] *= factor;
+    for (const Entry* const end = entry + entries; entry < end; ++entry)
+      x[entry->row] -= entry->value * unknown;
   }
   for (int i = 0; i < n_; ++i) b[column_of_[i]] = x[i];
-}
-
-void SparseLu::Columns::subtract(int first, int last, double factor, double* x) const {
-  for (int k = first; k < last; ++k) x[row[k]] -= value[k] * factor;
 }
 
 void SparseLu::solve_transposed(std::span<double> b) const {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "tests/network/support.hpp"
 
 namespace ostium::network {
@@ -91,6 +93,29 @@ TEST(Valves, BridgeOfFour) {
     run_to(n, 0.053 * i);
     const double expected = std::abs(1000 * std::sin(w * n.time())) / 1.02e8;
     EXPECT_NEAR(series(n, "q:r_m3_s"), expected, 1e-3 * 1e-5) << n.time();
+  }
+}
+
+/// Two valves open a millisecond apart, within one step. The later one is further on the wrong side at its end; the earlier one must
+/// not wait for it.
+TEST(Valves, TheEarlierOfTwoOpensFirst) {
+  const double R = 1e7, C = 1e-9, T = R * C, first = 0.1;  // Pa.s/m3, m3/Pa, s, s
+  const auto side = [](const std::string& k, double amplitude, double opens) {
+    return fmt::format(
+        "s{0}: {{type: pressure_source, to: A{0}, pressure: {{fourier: {{mean: 0, cos: [{1}], sin: [{2}]}}, "
+        "unit: Pa, "
+        "period: 1 s}}}}\n"
+        "v{0}: {{type: valve, from: A{0}, to: B{0}, R: 1e7 Pa.s/m3}}\n"
+        "c{0}: {{type: capacitor, from: B{0}, C: 1e-9 m3/Pa}}\n",
+        k, -amplitude * std::sin(w * opens), amplitude * std::cos(w * opens));
+  };
+  Network n(model(side("1", 1000, first) + side("2", 9000, first + 1e-3)), {}, with(Method::runge_kutta));
+  for (const double t : {0.105, 0.12}) {
+    run_to(n, t);
+    const double s = w * (t - first), wT = w * T;
+    const double P =
+        1000 / (1 + wT * wT) * (std::sin(s) - wT * std::cos(s) + wT * std::exp(-(t - first) / T));
+    EXPECT_NEAR(series(n, "p:B1_Pa"), P, 1e-4 * 1000) << t;
   }
 }
 

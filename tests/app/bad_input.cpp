@@ -57,18 +57,7 @@ network:
 time: {end: 0.1 s}
 )";
 
-class BadInput : public ProgramTest {
- protected:
-  /// Runs case.yaml, expects the refusal, returns what the terminal showed.
-  std::string refused(const std::string& yaml) const {
-    write("case.yaml", yaml);
-    const Outcome outcome = ostium("run case.yaml -o results");
-    EXPECT_EQ(outcome.code, 2) << outcome.text;
-    EXPECT_FALSE(exists("results"));
-    EXPECT_EQ(ostium("check case.yaml").code, 2);
-    return outcome.text;
-  }
-};
+using BadInput = ProgramTest;
 
 TEST_F(BadInput, TheGoodCasesPass) {
   write("case.yaml", network);

@@ -66,14 +66,6 @@ class Probes : public ProgramTest {
     ASSERT_EQ(outcome.code, 0) << outcome.text;
   }
   Rows rows(const std::string& file) const { return Rows(content("results/" + file)); }
-  std::string refused(const std::string& yaml) const {
-    write("case.yaml", yaml);
-    const Outcome outcome = ostium("run case.yaml -o results");
-    EXPECT_EQ(outcome.code, 2) << outcome.text;
-    EXPECT_FALSE(exists("results"));
-    EXPECT_EQ(ostium("check case.yaml").code, 2);
-    return outcome.text;
-  }
 };
 
 TEST_F(Probes, InTheBloodAndOnAWallThatMoves) {

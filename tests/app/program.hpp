@@ -42,6 +42,16 @@ class ProgramTest : public testing::Test {
 
   Outcome ostium(const std::string& arguments) const { return shell(OSTIUM_BINARY " " + arguments); }
 
+  /// Runs case.yaml, expects the refusal, returns what the terminal showed.
+  std::string refused(const std::string& yaml) const {
+    write("case.yaml", yaml);
+    const Outcome outcome = ostium("run case.yaml -o results");
+    EXPECT_EQ(outcome.code, 2) << outcome.text;
+    EXPECT_FALSE(exists("results"));
+    EXPECT_EQ(ostium("check case.yaml").code, 2);
+    return outcome.text;
+  }
+
   /// Any command in the folder of the test.
   Outcome shell(const std::string& command) const {
     std::FILE* pipe = popen(("cd '" + folder_.string() + "'; " + command + " 2>&1").c_str(), "r");

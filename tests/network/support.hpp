@@ -16,13 +16,19 @@ namespace ostium::network {
 
 inline Model model(const std::string& yaml) { return read_model(config::Node::parse(yaml, "case.yaml")); }
 
-inline std::string error_of(const std::string& yaml, const std::vector<Port>& ports = {}) {
+/// The sentence with which f() is refused.
+template <class F>
+std::string refusal(F&& f) {
   try {
-    Network network(model(yaml), ports);
+    f();
   } catch (const UserError& e) {
     return e.what();
   }
   return "no error";
+}
+
+inline std::string error_of(const std::string& yaml, const std::vector<Port>& ports = {}) {
+  return refusal([&] { Network network(model(yaml), ports); });
 }
 
 /// Value of a series by its name.

@@ -32,16 +32,6 @@ std::vector<double> column(const Design& d, std::size_t k) {
   return values;
 }
 
-template <class F>
-std::string refusal(F f) {
-  try {
-    f();
-  } catch (const UserError& e) {
-    return e.what();
-  }
-  return "no error";
-}
-
 TEST(Variation, NormalQuantile) {
   EXPECT_NEAR(normal_quantile(0.975), 1.959963984540054, 1e-15);
   EXPECT_NEAR(normal_quantile(0.25), -0.6744897501960817, 1e-15);

@@ -12,16 +12,6 @@ const std::string rcr =
     "period: 0.8 s}}\n"
     "bed: {type: windkessel, from: A, Rp: 1e7 Pa.s/m3, C: 1e-8 m3/Pa, Rd: 1.2e8 Pa.s/m3}\n";
 
-template <class F>
-std::string refusal(F f) {
-  try {
-    f();
-  } catch (const UserError& e) {
-    return e.what();
-  }
-  return "no error";
-}
-
 TEST(Parameters, NamesAsInTheCaseFile) {
   std::vector<std::string> names;
   for (const auto& p : parameters(model(rcr))) names.push_back(p.name);

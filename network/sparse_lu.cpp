@@ -66,29 +66,28 @@ void SparseLu::copy_factors() {
               upper_.start.data(), upper_.row.data(), upper_.value.data(), above_.start.data(),
               above_.row.data(), above_.value.data(), row_of_.data(), column_of_.data(), row_scale_.data(),
               block_.data(), &common_);
-  for (double& scale : row_scale_) scale = 1 / scale;
-  eliminations_.clear(), entries_.clear();
+  pivot_.resize(n_), over_pivot_.resize(n_);
+  for (int j = 0; j < n_; ++j) {
+    pivot_[j] = upper_.value[upper_.start[j + 1] - 1];
+    over_pivot_[j] = 1 / pivot_[j];
+    row_scale_[j] = over_pivot_[j] / row_scale_[j];
+  }
+  eliminations_.clear();
   for (int block = numeric_->nblocks - 1; block >= 0; --block) {
     for (int j = block_[block]; j < block_[block + 1]; ++j)
-      if (const int first = lower_.start[j] + 1, last = lower_.start[j + 1]; first < last) {
-        eliminate(j, 1.0, last - first);
-        append(lower_, first, last);
-      }
+      eliminate(j, pivot_[j], lower_, lower_.start[j] + 1, lower_.start[j + 1]);
     for (int j = block_[block + 1] - 1; j >= block_[block]; --j) {
-      const int pivot = upper_.start[j + 1] - 1;
-      eliminate(j, 1 / upper_.value[pivot], pivot - upper_.start[j] + above_.start[j + 1] - above_.start[j]);
-      append(upper_, upper_.start[j], pivot);
-      append(above_, above_.start[j], above_.start[j + 1]);
+      eliminate(j, 1, upper_, upper_.start[j], upper_.start[j + 1] - 1);
+      eliminate(j, 1, above_, above_.start[j], above_.start[j + 1]);
     }
   }
 }
 
-void SparseLu::eliminate(int column, double factor, int entries) {
-  eliminations_.push_back({factor, column, entries});
-}
-
-void SparseLu::append(const Columns& columns, int first, int last) {
-  for (int k = first; k < last; ++k) entries_.push_back({columns.value[k], columns.row[k]});
+void SparseLu::eliminate(int column, double pivot, const Columns& columns, int first, int last) {
+  for (int k = first; k < last; ++k) {
+    const int row = columns.row[k];
+    eliminations_.push_back({columns.value[k] * pivot * over_pivot_[row], row, column});
+  }
 }
 
 double SparseLu::pivot_ratio() {
@@ -102,12 +101,7 @@ void SparseLu::solve(std::span<double> b) const {
                 b.size(), n_);
   double* const x = x_.data();
   for (int i = 0; i < n_; ++i) x[i] = b[row_of_[i]] * row_scale_[i];
-  const Entry* entry = entries_.data();
-  for (const auto& [factor, column, entries] : eliminations_) {
-    const double unknown = x[column] *= factor;
-    for (const Entry* const end = entry + entries; entry < end; ++entry)
-      x[entry->row] -= entry->value * unknown;
-  }
+  for (const auto& [value, row, column] : eliminations_) x[row] -= value * x[column];
   for (int i = 0; i < n_; ++i) b[column_of_[i]] = x[i];
 }
 

@@ -2,8 +2,8 @@
 ///
 ///   P R A Q = L U + F,   A in compressed columns, R scales rows, F stands above the diagonal blocks of L U
 ///
-/// The factors are copied out of KLU and solved with here, in the order in which a solution uses them and with reciprocals of the
-/// pivots, which KLU divides by.
+/// The factors are copied out of KLU, which steps through them column by column and divides by the pivots. Here every row is
+/// divided by its pivot beforehand, and a solution is one row of eliminations x_row -= value x_column.
 /// `refactor` keeps the pivots where they still serve (no pivot lost more than ten digits against the others) and
 /// chooses new ones where they do not. Source: Davis & Palamadai Natarajan, ACM TOMS 37 (2010) 36: KLU. Not checked:
 /// the condition of A, beyond a pivot that vanishes.
@@ -41,18 +41,12 @@ class SparseLu {
     std::vector<double> value;
     void resize(int n, int entries);
   };
-  /// x[column] times `factor` is the unknown of a column; the entries that follow take it out of their rows.
   struct Elimination {
-    double factor;
-    int column, entries;
-  };
-  struct Entry {
     double value;
-    int row;
+    int row, column;
   };
   void copy_factors();
-  void eliminate(int column, double factor, int entries);
-  void append(const Columns& columns, int first, int last);
+  void eliminate(int column, double pivot, const Columns& columns, int first, int last);
 
   int n_;
   const int *start_, *row_;
@@ -61,10 +55,9 @@ class SparseLu {
   klu_numeric* numeric_ = nullptr;
   Columns lower_, upper_, above_;  // L with its ones first in each column, U with its pivots last, F
   std::vector<int> row_of_, column_of_, block_;  // P, Q, first rows of the blocks
-  std::vector<double> row_scale_;
-  std::vector<Elimination>
-      eliminations_;  // forwards with L, backwards with U and F, block by block from the last
-  std::vector<Entry> entries_;
+  std::vector<double> pivot_, over_pivot_, row_scale_;
+  /// Forwards with L, backwards with U and F, block by block from the last.
+  std::vector<Elimination> eliminations_;
   mutable std::vector<double> x_;
 };
 

@@ -207,11 +207,12 @@ void check_bytes(const std::string& text, const std::string& file_name) {
              static_cast<unsigned char>(text[at]));
 }
 
-/// yaml-cpp shows the end of the text as the character 4, which stands in no text that is parsed.
-std::string without_end_marks(std::string message) {
+/// What yaml-cpp says. It shows the end of the text as the character 4, which stands in no text that is parsed, and the
+/// first byte only of a character that has several.
+std::string printable_message(std::string message) {
   for (std::size_t at; (at = message.find('\x04')) != std::string::npos;)
     message.replace(at, 1, "the end of the text");
-  return message;
+  return printable(message);
 }
 
 }  // namespace
@@ -228,7 +229,7 @@ TreePtr parse_yaml(const std::string& text, const std::string& file_name) {
                  rest.root()->line);
   } catch (const YAML::Exception& e) {
     user_error("{}:{}:{}: this is not valid YAML: {}{}", file_name, e.mark.line + 1, e.mark.column + 1,
-               without_end_marks(e.msg), hint_of_tabulators(text));
+               printable_message(e.msg), hint_of_tabulators(text));
   }
   return builder.root() ? builder.root() : std::make_shared<Tree>();
 }

@@ -8,6 +8,7 @@
 #include "app/import/svzerod_import.hpp"
 #include "app/results/folder.hpp"
 #include "core/error.hpp"
+#include "core/progress.hpp"
 
 namespace ostium::app {
 namespace {
@@ -36,10 +37,27 @@ std::filesystem::path case_file(const Arguments& a) {
   return a.output.empty() ? std::filesystem::path(a.model).stem().string() + ".yaml" : a.output;
 }
 
+/// One line per stage that lasts.
+class Stages {
+ public:
+  void tell(const std::string& stage, double share) {
+    if (stage != name_) line_.emplace(Progress::Options{.end = 1, .task = stage});
+    name_ = stage;
+    line_->update(share, 0);
+  }
+
+ private:
+  std::string name_;
+  std::optional<Progress> line_;
+};
+
 void run(const Arguments& a) {
   const std::filesystem::path file = case_file(a);
   if (!a.check) refuse_existing(file, a.force);
-  const Imported made = import_svzerod(a.model, a.units.empty() ? std::nullopt : std::optional(a.units));
+  Stages stages;
+  const Imported made =
+      import_svzerod(a.model, a.units.empty() ? std::nullopt : std::optional(a.units),
+                     [&](const std::string& stage, double share) { stages.tell(stage, share); });
   if (!a.check) write_text(file, made.yaml);
   report(made, a.check);
   if (!a.check)

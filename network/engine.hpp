@@ -59,8 +59,9 @@ class Engine {
 
 /// tolerance: of the sources' integrals over a step, in the states' scales.
 std::unique_ptr<Engine> make_exact_engine(const System& system, Consistent& consistent, double tolerance);
+/// most_steps: see NetworkOptions.
 std::unique_ptr<Engine> make_runge_kutta_engine(const System& system, Consistent& consistent,
-                                                double relative_tolerance);
+                                                double relative_tolerance, long most_steps);
 std::unique_ptr<Engine> make_ida_engine(const System& system, Consistent& consistent,
                                         double relative_tolerance);
 

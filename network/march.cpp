@@ -40,7 +40,7 @@ std::unique_ptr<Engine> make_engine(const System& system, Consistent& consistent
   if (exact && system.linear())
     return make_exact_engine(system, consistent, finer * options.relative_tolerance);
   if (options.method == Method::ida) return make_ida_engine(system, consistent, options.relative_tolerance);
-  return make_runge_kutta_engine(system, consistent, options.relative_tolerance);
+  return make_runge_kutta_engine(system, consistent, options.relative_tolerance, options.most_steps);
 }
 
 }  // namespace ostium::network

@@ -49,6 +49,8 @@ struct NetworkOptions {
   Method method = Method::automatic;
   /// Of each step, with absolute ones of the same fraction of 100 mmHg, 100 mL/s. Exact needs none.
   double relative_tolerance = 1e-8;
+  /// Of Runge-Kutta steps, altogether: the one after it is a NumericsError. 0: any number.
+  long most_steps = 0;
 };
 
 class Network {

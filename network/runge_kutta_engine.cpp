@@ -19,10 +19,11 @@ double rounded(double x) {
 
 class RungeKuttaEngine final : public Engine {
  public:
-  RungeKuttaEngine(const System& system, Consistent& consistent, double relative_tolerance)
+  RungeKuttaEngine(const System& system, Consistent& consistent, double relative_tolerance, long most_steps)
       : system_(system),
         consistent_(consistent),
         tolerance_(relative_tolerance),
+        most_steps_(most_steps),
         third_(system, third_order()),
         fourth_(system, fourth_order()),
         stages_(relative_tolerance > finest_of_third ? &third_ : &fourth_),
@@ -66,7 +67,7 @@ class RungeKuttaEngine final : public Engine {
     const double end = end_h == h && last_ ? b : t + end_h;
     if (rows && rows->due(end)) hand_out_between(*rows, t, end_h, end);
     stages_->shift();
-    ++steps_;
+    if (++steps_ == most_steps_) refuse_more(end);
     if (event != none) throw_switch(end, event, b);
     return end;
   }
@@ -263,6 +264,11 @@ class RungeKuttaEngine final : public Engine {
         worst_equation(system_, t, *flows_, stages_->begin_values(), stages_->begin_rates()));
   }
 
+  [[noreturn]] void refuse_more(double t) const {
+    numerics_error("the network needs more than {} steps, at t = {:.3g} s steps of {:.2g} s", most_steps_, t,
+                   step_);
+  }
+
   static constexpr int none = -1;  // no switch
   static constexpr int most_failures = 80, resettled_after = 12, most_shortenings = 40, most_events = 1000;
   static constexpr double finest_of_third = 3e-5;  // relative tolerance above which order 3 does
@@ -272,6 +278,7 @@ class RungeKuttaEngine final : public Engine {
   const System& system_;
   Consistent& consistent_;
   double tolerance_;
+  long most_steps_;
   /// Order 4, but between kinks so near that one step of order 3 reaches from one to the next: it has two stages less. What
   /// both can reach, (tolerance)^(1/order) of the time in which the states change, tells how near.
   Stages third_, fourth_;
@@ -289,8 +296,8 @@ class RungeKuttaEngine final : public Engine {
 }  // namespace
 
 std::unique_ptr<Engine> make_runge_kutta_engine(const System& system, Consistent& consistent,
-                                                double relative_tolerance) {
-  return std::make_unique<RungeKuttaEngine>(system, consistent, relative_tolerance);
+                                                double relative_tolerance, long most_steps) {
+  return std::make_unique<RungeKuttaEngine>(system, consistent, relative_tolerance, most_steps);
 }
 
 }  // namespace ostium::network

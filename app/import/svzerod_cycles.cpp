@@ -1,8 +1,11 @@
 #include "app/import/svzerod_cycles.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "core/units.hpp"
 
 namespace ostium::app::svzerod {
@@ -51,41 +54,64 @@ std::vector<double> means(network::Network& network, const Source& source,
   return sums;
 }
 
-bool settled(const std::vector<double>& before, const std::vector<double>& now, double error) {
+/// The largest change of a mean, relative to it.
+double largest_change(const std::vector<double>& before, const std::vector<double>& now) {
+  double largest = 0;
   for (std::size_t k = 0; k < now.size(); ++k)
-    if (std::abs(now[k] - before[k]) > error * std::abs(before[k])) return false;
-  return true;
+    if (now[k] != before[k]) largest = std::max(largest, std::abs((now[k] - before[k]) / before[k]));
+  return largest;
 }
 
-int run_until_settled(const Source& source, const Circuit& circuit, network::Network& network) {
+/// Of the way from the first change to the wanted one, which is gone by the same factor each cycle.
+double share_done(double first, double now, double wanted) {
+  return now <= wanted ? 1 : std::clamp(std::log(first / now) / std::log(first / wanted), 0.0, 1.0);
+}
+
+[[noreturn]] void refuse_unsettled(const Source& source, const std::string& what) {
+  source.root.at("simulation_parameters")
+      .at("use_cycle_to_cycle_error")
+      .error("{}; set it to false and give \"number_of_cardiac_cycles\"", what);
+}
+
+int run_until_settled(const Source& source, const Circuit& circuit, network::Network& network,
+                      const Tell& tell) {
+  const double wished = *source.run.cycle_error;
   const auto wanted = caps(source, circuit.variables());
   constexpr int most_samples = 2000000;
   const int most = std::clamp(most_samples / source.run.points, source.run.cycles + 10, 10000);
   std::vector<double> before, now = means(network, source, wanted);
+  double first = 0, change = 0;
   for (int cycle = 2; cycle <= most; ++cycle) {
     before = std::move(now);
     now = means(network, source, wanted);
-    if (cycle >= source.run.cycles && settled(before, now, *source.run.cycle_error)) return cycle;
+    change = largest_change(before, now);
+    if (cycle == 2) first = change;
+    tell("running until cycles repeat", share_done(first, change, wished));
+    if (cycle >= source.run.cycles && change <= wished) return cycle;
   }
-  source.root.at("simulation_parameters")
-      .at("use_cycle_to_cycle_error")
-      .error(
-          "pressures and flows still change by more than {} from cycle to cycle after {} cycles; set it to "
-          "false "
-          "and give \"number_of_cardiac_cycles\"",
-          shortest(*source.run.cycle_error), most);
+  refuse_unsettled(
+      source,
+      fmt::format("pressures and flows still change by {:.2g} from cycle to cycle after {} cycles, not by {}",
+                  change, most, shortest(wished)));
 }
 
 }  // namespace
 
-int cycles_of(const Source& source, const Circuit& circuit, network::Network network) {
+int cycles_of(const Source& source, const Circuit& circuit, network::Network network, const Tell& tell) {
   const Run& run = source.run;
   if (!run.cycle_error) return run.cycles;
   double slowest = 0;
   for (const auto& part : source.parts)
     if (part.type == "RCR")
       slowest = std::max(slowest, part.values.at("Rd").number() * part.values.at("C").number());
-  if (slowest == 0) return run_until_settled(source, circuit, network);
+  if (slowest == 0) {
+    try {
+      return run_until_settled(source, circuit, network, tell);
+    } catch (const NumericsError& e) {
+      refuse_unsettled(source,
+                       fmt::format("the cycles until the model repeats itself do not end: {}", e.what()));
+    }
+  }
   const double cycles = std::ceil(-slowest / source.period * std::log(*run.cycle_error));
   constexpr double most = 100000;
   if (cycles > most)

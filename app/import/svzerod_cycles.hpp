@@ -15,6 +15,6 @@ namespace ostium::app::svzerod {
 
 /// `network` is the one of `circuit`, at its start; it is run where the last rule applies. Throws UserError where that
 /// never ends.
-int cycles_of(const Source& source, const Circuit& circuit, network::Network network);
+int cycles_of(const Source& source, const Circuit& circuit, network::Network network, const Tell& tell);
 
 }  // namespace ostium::app::svzerod

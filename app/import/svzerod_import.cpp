@@ -51,12 +51,13 @@ Tree case_of(const Source& source, const Circuit& circuit, int cycles) {
 }  // namespace
 }  // namespace svzerod
 
-Imported import_svzerod(const std::filesystem::path& file, const std::optional<std::string>& units) {
-  return import_svzerod(JsonNode::load(file), file, units);
+Imported import_svzerod(const std::filesystem::path& file, const std::optional<std::string>& units,
+                        const svzerod::Tell& tell) {
+  return import_svzerod(JsonNode::load(file), file, units, tell);
 }
 
 Imported import_svzerod(const JsonNode& model, const std::filesystem::path& file,
-                        const std::optional<std::string>& units) {
+                        const std::optional<std::string>& units, const svzerod::Tell& tell) {
   using namespace svzerod;
   Imported result;
   Source source = read_source(model, result.notes);
@@ -66,10 +67,12 @@ Imported import_svzerod(const JsonNode& model, const std::filesystem::path& file
   const UnitSystem& system = UnitSystem::of(result.units);
 
   std::optional<Values> steady;
-  if (source.run.steady_initial) steady = run_steady_stage(source, system, file.string());
+  if (source.run.steady_initial) steady = run_steady_stage(source, system, file.string(), tell);
   Circuit circuit(source, system, Stage::run, steady ? &*steady : nullptr);
   translate(circuit);
-  const int cycles = cycles_of(source, circuit, joined(circuit, file.string(), "the network"));
+  constexpr long most_steps = 20000000;
+  const int cycles =
+      cycles_of(source, circuit, joined(circuit, file.string(), "the network", most_steps), tell);
   const Tree made = case_of(source, circuit, cycles);
   result.yaml =
       "# Imported from " + file.filename().string() + ", units " + system.name + "\n" + config::to_yaml(made);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/import/json_node.hpp"
+#include "app/import/svzerod_source.hpp"
 #include "app/import/unit_system.hpp"
 
 namespace ostium::app {
@@ -27,9 +28,12 @@ struct Imported {
 };
 
 /// Throws UserError with file and JSON path; also where the network cannot be solved as it is joined.
-Imported import_svzerod(const std::filesystem::path& file, const std::optional<std::string>& units = {});
+/// `tell` hears how far those stages are in which the network is run: mostly milliseconds, at worst minutes.
+Imported import_svzerod(const std::filesystem::path& file, const std::optional<std::string>& units = {},
+                        const svzerod::Tell& tell = svzerod::nobody);
 /// `file` gives the case its title and errors their place.
 Imported import_svzerod(const JsonNode& model, const std::filesystem::path& file,
-                        const std::optional<std::string>& units = {});
+                        const std::optional<std::string>& units = {},
+                        const svzerod::Tell& tell = svzerod::nobody);
 
 }  // namespace ostium::app

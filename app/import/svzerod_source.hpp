@@ -8,6 +8,7 @@
 /// Source: docs of svZeroDSolver (SimVascular, BSD 3-clause). Checked here: names, kinds, which parts are joined.
 /// Not checked: parameters, which the translation of each type does.
 #pragma once
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,6 +16,10 @@
 #include "app/import/json_node.hpp"
 
 namespace ostium::app::svzerod {
+
+/// How far a stage that takes its time is, by name: share 0 to 1.
+using Tell = std::function<void(const std::string& stage, double share)>;
+inline void nobody(const std::string&, double) {}
 
 enum class Kind { vessel, coupling, boundary, junction, heart, valve, chamber };
 

@@ -201,6 +201,21 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"\"R_poiseuille\": 10.0", "\"R_poiseuille\": 10.0, \"C\": -1.0",
                 "zero_d_element_values.C: must be >= 0, found -1"}));
 
+/// A compliance of 1e-15 cm^5/dyn beside an inertance of 1 swings five million times a second.
+TEST_F(ImportSvzerod, SteadyStageThatDoesNotEnd) {
+  const auto stiff = replaced(
+      replaced(model, "\"R_poiseuille\": 10.0",
+               "\"R_poiseuille\": 100.0, \"C\": 1e-15, \"L\": 1.0, \"stenosis_coefficient\": 1.001"),
+      "\"vessels\"", "\"initial_condition\": {\"pressure_all\": 625940.0, \"flow_all\": 80},\n\"vessels\"");
+  write("model.json", stiff);
+  const Outcome outcome = ostium("import svzerod model.json --units cgs");
+  EXPECT_EQ(outcome.code, 2) << outcome.text;
+  EXPECT_THAT(outcome.text, HasSubstr("error: model.json: simulation_parameters: the steady stage of 3.1 s"));
+  EXPECT_THAT(outcome.text, HasSubstr("look for a C or L that is off by orders of magnitude"));
+  write("model.json", replaced(stiff, "cycle\": 11", "cycle\": 11, \"steady_initial\": false"));
+  EXPECT_EQ(ostium("import svzerod model.json --units cgs").code, 0);
+}
+
 TEST_F(ImportSvzerod, UnknownUnits) {
   write("model.json", model);
   EXPECT_THAT(ostium("import svzerod model.json --units cgss").text,
